@@ -1,0 +1,51 @@
+//! What can be wrong with the input, in words that say what to do.
+
+use thiserror::Error;
+
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Error {
+    /// A shape that cannot be registered; `shape` is "reference" or "template".
+    #[error("the {shape} {problem}")]
+    Shape { shape: &'static str, problem: ShapeError },
+    /// A setting out of its range.
+    #[error("{name} is {value}, but must be {range}")]
+    Setting { name: &'static str, value: String, range: String },
+    /// An array whose length does not fit.
+    #[error("{name} holds {found} numbers, but {expected} are needed ({why})")]
+    Length { name: &'static str, found: usize, expected: usize, why: String },
+    /// An array with a NaN or an infinity.
+    #[error("{name} has a value that is not finite at position {position}; replace or remove it")]
+    NotFinite { name: &'static str, position: usize },
+    /// A deformation that folds: no energy is defined there.
+    #[error("the deformation folds (least determinant {0:.3e}); energies are finite only where it is positive")]
+    Folded(f64),
+}
+
+/// What is wrong with one shape. Reads on after "the reference …".
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ShapeError {
+    #[error("has no points; draw or load a closed curve")]
+    Empty,
+    #[error("has a loop of only {points} points (loop {index}); a closed curve needs at least three")]
+    TooFewPoints { index: usize, points: usize },
+    #[error("has a coordinate that is not finite (loop {index}, point {point}); remove that point")]
+    NotFinite { index: usize, point: usize },
+    #[error("encloses no area; draw a curve that goes around something")]
+    NoArea,
+    #[error(
+        "comes within {cells:.1} cells of the {side} border (at {coordinate} = {value:.3}), at least {needed} are needed; make it smaller or move it inwards (\"Fit\" does both)"
+    )]
+    NearBorder { side: &'static str, coordinate: &'static str, value: f64, cells: f64, needed: f64 },
+    #[error("has a level set of {found} values, but {cells} cells a side in {dim}D make {expected} nodes")]
+    LevelSetLength { found: usize, expected: usize, cells: usize, dim: usize },
+    #[error("has a level set of {cells} cells a side; a power of two from {least} to {most} is needed")]
+    LevelSetCells { cells: usize, least: usize, most: usize },
+    #[error("has a level set value that is not finite at node {node}; replace it")]
+    LevelSetNotFinite { node: usize },
+    #[error("has a level set without a sign change; it must be negative inside and positive outside")]
+    NoSignChange,
+    #[error("has a mask of {found} pixels, but {width} × {height} = {expected} are needed")]
+    MaskLength { found: usize, width: usize, height: usize, expected: usize },
+    #[error("{0}")]
+    Unsupported(String),
+}

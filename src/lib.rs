@@ -1,0 +1,5 @@
+pub mod contour;
+pub mod distance;
+pub mod error;
+pub mod grid;
+pub mod small;

@@ -1,0 +1,27 @@
+import { defineConfig } from "@playwright/test";
+import { chromiumFlags, findChromium } from "./scripts/lib/chromium.mjs";
+
+// Other than Vite's own, so that a running `npm start` is not mistaken for the build under test.
+const port = Number(process.env.PORT ?? 4190);
+const browser = findChromium();
+
+export default defineConfig({
+  testDir: "tests/page",
+  outputDir: "target/playwright",
+  // The solver runs in the page: beside another one it would be half as fast, and tests would time out for it.
+  workers: 1,
+  timeout: 60_000,
+  forbidOnly: Boolean(process.env.CI),
+  reporter: "list",
+  use: {
+    baseURL: `http://localhost:${port}/`,
+    viewport: { width: 1280, height: 800 },
+    trace: "retain-on-failure",
+    launchOptions: { args: chromiumFlags(), ...(browser === null ? {} : { executablePath: browser }) },
+  },
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --strictPort --port ${port}`,
+    url: `http://localhost:${port}/`,
+    reuseExistingServer: false,
+  },
+});

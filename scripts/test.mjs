@@ -1,0 +1,178 @@
+// `npm test`: every check, the cheap ones first, each closed by a line that counts. `npm test -- rust page` runs only
+// the steps named.
+
+import { existsSync, readFileSync, rmSync } from "node:fs";
+import { join } from "node:path";
+import { driverEnvironment, ensureChromium } from "./lib/chromium.mjs";
+import { heading, main, Obstacle, root, run } from "./lib/process.mjs";
+import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setup.mjs";
+import { checkSize } from "./size.mjs";
+import { buildWasm } from "./wasm.mjs";
+
+/** @typedef {{ passed: number, failed: number }} Count */
+
+const WASM = ["--target", "wasm32-unknown-unknown"];
+// In a glob, so that a second file of browser tests needs no word here.
+const BROWSER_TESTS = ["--test", "wasm*"];
+
+/** @type {Record<string, { title: string, check: () => Promise<Count> }>} */
+const STEPS = {
+  style: {
+    title: "style: rustfmt, clippy (native, wasm32), Biome",
+    check: () =>
+      all(
+        () => succeeds("cargo", ["fmt", "--check"]),
+        () => succeeds("cargo", ["clippy", "--locked", "--all-targets", "--", "-D", "warnings"]),
+        () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...BROWSER_TESTS, "--", "-D", "warnings"]),
+        () => succeeds(...program("@biomejs/biome/bin/biome", ["check", "--error-on-warnings"])),
+      ),
+  },
+  rust: {
+    title: "rust: the solver's tests",
+    check: async () => cargoTests(await run("cargo", ["test", "--locked", "--no-fail-fast"])),
+  },
+  wasm: {
+    title: "wasm: the solver in a worker of headless Chromium",
+    check: async () => {
+      const env = await driverEnvironment();
+      await ensureBindgen();
+      return cargoTests(await run("cargo", ["test", "--locked", ...WASM, ...BROWSER_TESTS], { env }));
+    },
+  },
+  types: {
+    title: "types: tsc",
+    check: async () => {
+      // The page's types come from Rust, so they have to be generated before they can be checked.
+      await buildWasm();
+      return all(() => succeeds(...program("typescript/bin/tsc", ["--noEmit"])));
+    },
+  },
+  unit: {
+    title: "unit: vitest",
+    check: async () => {
+      await buildWasm();
+      const file = report("vitest.json");
+      const reporters = ["--reporter=default", "--reporter=json", `--outputFile.json=${file}`];
+      const { code } = await run(...program("vitest/vitest.mjs", ["run", ...reporters]));
+      const result = read(file);
+      return reconcile(code, { passed: result?.numPassedTests ?? 0, failed: result?.numFailedTests ?? 0 });
+    },
+  },
+  build: {
+    title: "build: the page and its size budget",
+    check: async () => {
+      await buildWasm();
+      return all(
+        () => succeeds(...program("vite/bin/vite.js", ["build"])),
+        async () => checkSize(),
+      );
+    },
+  },
+  page: {
+    title: "page: Playwright on the built page",
+    check: async () => {
+      const file = report("playwright.json");
+      const env = { CHROME_PATH: await ensureChromium(), PLAYWRIGHT_JSON_OUTPUT_FILE: file };
+      const { code } = await run(...program("@playwright/test/cli.js", ["test", "--reporter=list,json"]), { env });
+      const stats = read(file)?.stats;
+      return reconcile(code, { passed: stats?.expected ?? 0, failed: (stats?.unexpected ?? 0) + (stats?.flaky ?? 0) });
+    },
+  },
+};
+
+await main(async () => {
+  const chosen = process.argv.slice(2);
+  const unknown = chosen.find((name) => !(name in STEPS));
+  if (unknown !== undefined)
+    throw new Obstacle(`There is no step "${unknown}"; the steps are ${Object.keys(STEPS).join(", ")}.`);
+  checkNode();
+  await ensurePackages();
+  await ensureRust({ lints: true });
+
+  const sum = { passed: 0, failed: 0 };
+  for (const [name, { title, check }] of Object.entries(STEPS)) {
+    if (chosen.length > 0 && !chosen.includes(name)) continue;
+    heading(title);
+    const count = await check();
+    // A step that ran nothing has shown nothing.
+    if (count.passed + count.failed === 0) count.failed = 1;
+    console.log(`${name}: ${count.passed} passed, ${count.failed} failed`);
+    sum.passed += count.passed;
+    sum.failed += count.failed;
+    if (count.failed > 0) {
+      process.exitCode = 1;
+      break;
+    }
+  }
+  console.log(`\n${sum.passed} passed, ${sum.failed} failed`);
+});
+
+/**
+ * Makes every check, so that one run shows all there is to mend.
+ *
+ * @param {(() => Promise<boolean>)[]} checks
+ * @returns {Promise<Count>}
+ */
+async function all(...checks) {
+  const count = { passed: 0, failed: 0 };
+  for (const check of checks) {
+    if (await check()) count.passed++;
+    else count.failed++;
+  }
+  return count;
+}
+
+/**
+ * @param {string} command
+ * @param {string[]} args
+ */
+async function succeeds(command, args) {
+  return (await run(command, args)).code === 0;
+}
+
+/**
+ * A package's program, to be run through this very Node.
+ *
+ * @param {string} path below node_modules
+ * @param {string[]} args
+ * @returns {[string, string[]]}
+ */
+function program(path, args) {
+  return [process.execPath, [join(root, "node_modules", path), ...args]];
+}
+
+/**
+ * Sums up the results of the test programs that cargo has run.
+ *
+ * @param {{ code: number, text: string }} end
+ */
+function cargoTests({ code, text }) {
+  const count = { passed: 0, failed: 0 };
+  for (const [, passed, failed] of text.matchAll(/^test result: .*?(\d+) passed; (\d+) failed/gm)) {
+    count.passed += Number(passed);
+    count.failed += Number(failed);
+  }
+  return reconcile(code, count);
+}
+
+/**
+ * A program that fails without a failed test (it did not compile, say) is a failure too.
+ *
+ * @param {number} code
+ * @param {Count} count
+ */
+function reconcile(code, count) {
+  return code !== 0 && count.failed === 0 ? { ...count, failed: 1 } : count;
+}
+
+/** @param {string} name */
+function report(name) {
+  const file = join(root, "target", name);
+  rmSync(file, { force: true });
+  return file;
+}
+
+/** @param {string} file */
+function read(file) {
+  return existsSync(file) ? JSON.parse(readFileSync(file, "utf8")) : null;
+}

@@ -32,6 +32,12 @@ pub enum ShapeError {
     NotFinite { index: usize, point: usize },
     #[error("encloses no area; draw a curve that goes around something")]
     NoArea,
+    #[error("holds no node of the grid of {cells} cells a side; make it larger or choose a finer grid")]
+    TooSmall { cells: usize },
+    #[error(
+        "leaves the box on the {side} ({coordinate} = {value:.3}); make it smaller or move it inwards (\"Fit\" does both)"
+    )]
+    OutsideBox { side: &'static str, coordinate: &'static str, value: f64 },
     #[error(
         "comes within {cells:.1} cells of the {side} border (at {coordinate} = {value:.3}), at least {needed} are needed; make it smaller or move it inwards (\"Fit\" does both)"
     )]

@@ -1,0 +1,101 @@
+//! The signed distance of what closed polygons enclose.
+
+use glam::DVec2;
+
+use super::SignedDistance;
+use super::nearest::Nearest;
+use super::outline::{COINCIDENT, outline};
+use super::winding::Region;
+use crate::error::ShapeError;
+use crate::grid::Grid;
+
+impl SignedDistance<2> {
+    /// The exact signed distance of the nodes to the outline of what `loops` enclose.
+    ///
+    /// Loops are closed polygons in [0,1]², y up, of any orientation; the first point may stand again at the end.
+    /// A loop encloses what it winds around (non-zero winding, so a loop that crosses itself is filled). A loop that
+    /// lies wholly inside an odd number of the others is a hole, any other adds its inside; loops that partly overlap
+    /// unite. Only the outline of the result counts: strokes inside it have no distance of their own.
+    ///
+    /// # Errors
+    ///
+    /// No loop, fewer than three different points, a coordinate that is not finite, less than
+    /// [`CLEARANCE`](super::CLEARANCE) cells to the border, no area, or no node of the grid inside.
+    pub fn from_loops(grid: Grid<2>, loops: &[Vec<DVec2>]) -> Result<Self, ShapeError> {
+        let contours = clean(loops)?;
+        check_box(grid, &contours)?;
+        let (region, segments) = outline(&contours);
+        Self::of_region(grid, &region, &segments)
+    }
+
+    pub(super) fn of_region(grid: Grid<2>, region: &Region, segments: &[[DVec2; 2]]) -> Result<Self, ShapeError> {
+        if segments.is_empty() {
+            return Err(ShapeError::NoArea);
+        }
+        let side = grid.side();
+        let inside = region.classify_nodes(side, grid.spacing());
+        if !inside.contains(&true) {
+            return Err(ShapeError::TooSmall { cells: grid.cells() });
+        }
+        Ok(Self { grid, values: distances(grid, segments, &inside) })
+    }
+}
+
+/// Exact at every node: with the neighbours' nearest segments as hints the search costs about as much as marching
+/// would, and leaves no seam where an exact zone ends.
+fn distances(grid: Grid<2>, segments: &[[DVec2; 2]], inside: &[bool]) -> Vec<f64> {
+    let (side, spacing) = (grid.side(), grid.spacing());
+    let nearest = Nearest::new(segments);
+    let mut values = Vec::with_capacity(side * side);
+    let mut below = vec![nearest.any_leaf(); side];
+    for (row, signs) in inside.chunks_exact(side).enumerate() {
+        let mut left = below[0];
+        for (column, (&inside, below)) in signs.iter().zip(&mut below).enumerate() {
+            let point = DVec2::new(column as f64, row as f64) * spacing;
+            let (distance, leaf) = nearest.query(point, [left, *below]);
+            (left, *below) = (leaf, leaf);
+            values.push(if inside && distance > 0.0 { -distance } else { distance });
+        }
+    }
+    values
+}
+
+/// The loops without repeated points.
+fn clean(loops: &[Vec<DVec2>]) -> Result<Vec<Vec<DVec2>>, ShapeError> {
+    if loops.iter().all(Vec::is_empty) {
+        return Err(ShapeError::Empty);
+    }
+    let mut contours = Vec::with_capacity(loops.len());
+    for (index, points) in loops.iter().enumerate() {
+        if let Some(point) = points.iter().position(|p| !p.is_finite()) {
+            return Err(ShapeError::NotFinite { index, point });
+        }
+        let mut contour: Vec<DVec2> = Vec::with_capacity(points.len());
+        for &point in points {
+            if contour.last().is_none_or(|last| !same(*last, point)) {
+                contour.push(point);
+            }
+        }
+        while contour.len() > 1 && same(contour[0], contour[contour.len() - 1]) {
+            contour.pop();
+        }
+        if contour.len() < 3 {
+            return Err(ShapeError::TooFewPoints { index, points: contour.len() });
+        }
+        contours.push(contour);
+    }
+    Ok(contours)
+}
+
+/// Closer than ten times what counts as coincident, so that no edge is as short as that.
+fn same(a: DVec2, b: DVec2) -> bool {
+    a.distance_squared(b) <= (10.0 * COINCIDENT).powi(2)
+}
+
+pub(super) fn check_box(grid: Grid<2>, contours: &[Vec<DVec2>]) -> Result<(), ShapeError> {
+    let (low, high) = contours
+        .iter()
+        .flatten()
+        .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+    super::check_clearance(low.to_array(), high.to_array(), grid.cells())
+}

@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import { firstLoad } from "./size.mjs";
 
-const page = '<script type="module" src="./assets/index-a.js"></script><link rel="stylesheet" href="./assets/index-b.css">';
+const page =
+  '<script type="module" src="./assets/index-a.js"></script><link rel="stylesheet" href="./assets/index-b.css">';
 
 /** @param {Record<string, string>} files */
 const load = (files) => firstLoad(new Map(Object.entries(files)));

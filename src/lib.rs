@@ -1,5 +1,10 @@
+pub mod assemble;
 pub mod contour;
 pub mod distance;
+pub mod energy;
 pub mod error;
+pub mod field;
 pub mod grid;
+pub mod quadrature;
 pub mod small;
+pub mod stencil;

@@ -1,0 +1,52 @@
+//! From densities to numbers over the grid: energies, gradient, curvature at a displacement.
+
+mod band;
+mod cpu;
+
+pub use cpu::CpuAssembler;
+
+use crate::energy::Energies;
+use crate::grid::Grid;
+use crate::stencil::StencilOperator;
+
+/// The energies at one displacement, and whether it is admissible.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evaluation {
+    /// Weighted energies; meaningless where the deformation folds.
+    pub energies: Energies,
+    /// The least of det Dφ over all corners of all cells.
+    pub least_determinant: f64,
+}
+
+impl Evaluation {
+    /// The energy to be minimised: infinite where the deformation folds, so that a line search refuses it.
+    pub fn total(&self) -> f64 {
+        let total = self.energies.total();
+        if self.least_determinant > 0.0 && total.is_finite() { total } else { f64::INFINITY }
+    }
+
+    pub fn is_admissible(&self) -> bool {
+        self.total().is_finite()
+    }
+}
+
+/// Evaluates one level's functional. Displacements are u = φ − x at the nodes: D numbers a node, x fastest.
+///
+/// The methods are asynchronous because a GPU's answer is; a CPU's is ready at once.
+#[allow(async_fn_in_trait, reason = "used by static dispatch within one thread only")]
+pub trait Assembler<const D: usize> {
+    fn grid(&self) -> Grid<D>;
+
+    async fn energy(&mut self, displacement: &[f64]) -> Evaluation;
+
+    /// Also overwrites `gradient` with the derivative by the nodal displacements.
+    async fn gradient(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation;
+
+    /// Also overwrites `operator` with a positive semi-definite approximation of the second derivative.
+    async fn curvature(
+        &mut self,
+        displacement: &[f64],
+        gradient: &mut [f64],
+        operator: &mut StencilOperator<D>,
+    ) -> Evaluation;
+}

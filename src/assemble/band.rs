@@ -1,0 +1,262 @@
+//! What the shell terms need of both shapes, prepared once a level.
+
+use crate::distance::SignedDistance;
+use crate::energy::{Functional, GRADIENT, ReferenceJet, TemplateJet};
+use crate::field::{CornerWeights, quadratic_fit};
+use crate::grid::{Grid, MAX_CORNERS};
+use crate::quadrature::Rule;
+use crate::small::{Scalar, Vector, dot, frame, frobenius};
+
+/// The cells that the band η(d1/σ) > 0 meets, in packs of one cell a lane, with the reference's jets at their
+/// quadrature points.
+pub(super) struct Band<S, const D: usize> {
+    /// Lowest nodes of a pack's cells, one a lane.
+    pub packs: Vec<[usize; 2]>,
+    /// `ReferenceSample`s, flattened: pack by pack, point by point.
+    samples: Vec<S>,
+}
+
+/// The reference at one quadrature point of a pack.
+pub(super) struct ReferenceSample<S, const D: usize> {
+    /// η times the quadrature weight.
+    pub weight: S,
+    /// Tangents by rows; the first D−1 count.
+    pub tangents: [Vector<S, D>; D],
+    pub jet: ReferenceJet<S, D>,
+}
+
+impl<S: Scalar, const D: usize> Band<S, D> {
+    const POINTS: usize = 3_usize.pow(D as u32);
+    /// weight, distance, off-tangential, trace; D−1 tangents; the upper triangle of the curvature.
+    const STRIDE: usize = 4 + (D - 1) * D + (D - 1) * D / 2;
+
+    pub fn new(functional: &Functional, reference: &SignedDistance<D>, rule: &Rule<D, 3>) -> Self {
+        let grid = reference.grid();
+        let jets = quadratic_fit(grid, reference.values(), functional.fit_radius);
+        let offsets = grid.corner_offsets();
+        let volume = grid.spacing().powi(D as i32);
+
+        let mut cells = Vec::new();
+        let mut rows: Vec<f64> = Vec::new();
+        let mut cell_rows = Vec::with_capacity(Self::POINTS * Self::STRIDE);
+        for cell in 0..grid.cell_count() {
+            let base = grid.lowest_node(cell);
+            let values = || (0..Grid::<D>::CORNERS).map(|corner| jets[base + offsets[corner]].value);
+            // The interpolant lies between its nodal values.
+            let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+            if low >= functional.bandwidth || high <= -functional.bandwidth {
+                continue;
+            }
+            cell_rows.clear();
+            let mut touched = false;
+            for point in 0..Self::POINTS {
+                let mut value = 0.0;
+                let mut gradient = [0.0; D];
+                let mut hessian = [[0.0; D]; D];
+                for corner in 0..Grid::<D>::CORNERS {
+                    let (share, jet) = (rule.shape[point][corner], &jets[base + offsets[corner]]);
+                    value += share * jet.value;
+                    for a in 0..D {
+                        gradient[a] += share * jet.gradient[a];
+                        for b in 0..D {
+                            hessian[a][b] += share * jet.hessian[a][b];
+                        }
+                    }
+                }
+                let weight = functional.cutoff.weight(value / functional.bandwidth) * rule.weight[point] * volume;
+                touched |= weight > 0.0;
+                push_sample(&mut cell_rows, weight, value, gradient, &hessian);
+            }
+            if touched {
+                cells.push(base);
+                rows.extend_from_slice(&cell_rows);
+            }
+        }
+
+        let per_cell = Self::POINTS * Self::STRIDE;
+        let pack_count = cells.len().div_ceil(S::LANES);
+        let mut samples = Vec::with_capacity(pack_count * per_cell);
+        let mut packs = Vec::with_capacity(pack_count);
+        for pack in 0..pack_count {
+            let lane_cell = |lane: usize| (pack * S::LANES + lane).min(cells.len() - 1);
+            packs.push(std::array::from_fn(|lane| cells[lane_cell(lane)]));
+            for k in 0..per_cell {
+                samples.push(S::gather(|lane| {
+                    // A last pack that is not full repeats its last cell, without weight.
+                    let spare = pack * S::LANES + lane >= cells.len() && k % Self::STRIDE == 0;
+                    if spare { 0.0 } else { rows[lane_cell(lane) * per_cell + k] }
+                }));
+            }
+        }
+        Self { packs, samples }
+    }
+
+    #[inline(always)]
+    pub fn pack_samples(&self, pack: usize) -> &[S] {
+        &self.samples[pack * Self::POINTS * Self::STRIDE..][..Self::POINTS * Self::STRIDE]
+    }
+}
+
+fn push_sample<const D: usize>(
+    row: &mut Vec<f64>,
+    weight: f64,
+    distance: f64,
+    gradient: [f64; D],
+    hessian: &[[f64; D]; D],
+) {
+    let length = dot(&gradient, &gradient).sqrt();
+    // On the skeleton the gradient vanishes and no direction is right: any unit vector serves.
+    let normal = if length > 1e-12 {
+        gradient.map(|g| g / length)
+    } else {
+        std::array::from_fn(|k| if k == 0 { 1.0 } else { 0.0 })
+    };
+    let tangents = frame(&normal);
+    let along = |i: usize, j: usize| -> f64 {
+        (0..D).map(|a| (0..D).map(|b| tangents[i][a] * hessian[a][b] * tangents[j][b]).sum::<f64>()).sum()
+    };
+    let mut tangential = 0.0;
+    for i in 0..D - 1 {
+        for j in 0..D - 1 {
+            tangential += along(i, j).powi(2);
+        }
+    }
+    let trace = (0..D).map(|k| hessian[k][k]).sum();
+    row.extend([weight, distance, frobenius(hessian) - tangential, trace]);
+    for tangent in tangents.iter().take(D - 1) {
+        row.extend_from_slice(tangent);
+    }
+    for i in 0..D - 1 {
+        for j in i..D - 1 {
+            row.push(along(i, j));
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize> ReferenceSample<S, D> {
+    #[inline(always)]
+    pub fn read(samples: &[S], point: usize) -> Self {
+        let row = &samples[point * Band::<S, D>::STRIDE..][..Band::<S, D>::STRIDE];
+        let zero = S::zero();
+        let mut tangents = [[zero; D]; D];
+        let mut curvature = [[zero; D]; D];
+        let mut k = 4;
+        for tangent in tangents.iter_mut().take(D - 1) {
+            for t in tangent.iter_mut() {
+                *t = row[k];
+                k += 1;
+            }
+        }
+        for i in 0..D - 1 {
+            for j in i..D - 1 {
+                curvature[i][j] = row[k];
+                curvature[j][i] = row[k];
+                k += 1;
+            }
+        }
+        let jet = ReferenceJet { distance: row[1], curvature, off_tangential: row[2], trace: row[3] };
+        Self { weight: row[0], tangents, jet }
+    }
+}
+
+/// The template's distance and fitted Hessian at the nodes, to be sampled anywhere.
+pub(super) struct TemplateField<const D: usize> {
+    grid: Grid<D>,
+    offsets: [usize; MAX_CORNERS],
+    /// By node: the distance, then the Hessian's upper triangle.
+    values: Vec<f64>,
+}
+
+impl<const D: usize> TemplateField<D> {
+    const STRIDE: usize = 1 + D * (D + 1) / 2;
+
+    pub fn new(template: &SignedDistance<D>, fit_radius: f64) -> Self {
+        let grid = template.grid();
+        let mut values = Vec::with_capacity(grid.node_count() * Self::STRIDE);
+        for jet in quadratic_fit(grid, template.values(), fit_radius) {
+            values.push(jet.value);
+            for a in 0..D {
+                values.extend_from_slice(&jet.hessian[a][a..]);
+            }
+        }
+        Self { grid, offsets: grid.corner_offsets(), values }
+    }
+
+    /// The jet at a point a lane. Beyond the box the distance goes on as the boundary cell's polynomial, while the
+    /// Hessian keeps its value at the nearest point of the box: extrapolated second derivatives grow wild.
+    #[inline(always)]
+    pub fn sample<S: Scalar, const ORDER: u8>(&self, point: &Vector<S, D>) -> TemplateJet<S, D> {
+        let mut base = [0; 2];
+        let mut locals = [[0.0; D]; 2];
+        let mut outside = false;
+        for lane in 0..S::LANES {
+            let (cell, local) = self.grid.locate(&point.map(|x| x.lane(lane)));
+            base[lane] = self.grid.node(cell);
+            locals[lane] = local;
+            outside |= local.iter().any(|x| !(0.0..=1.0).contains(x));
+        }
+        let local: Vector<S, D> = std::array::from_fn(|axis| S::gather(|lane| locals[lane][axis]));
+        let weights = CornerWeights::at(&local);
+        let (clamped, inside) = if outside {
+            let inside = std::array::from_fn(|axis| {
+                S::gather(|lane| if (0.0..=1.0).contains(&locals[lane][axis]) { 1.0 } else { 0.0 })
+            });
+            (CornerWeights::at(&local.map(|x| x.max(S::zero()).min(S::splat(1.0)))), inside)
+        } else {
+            (weights, [S::splat(1.0); D])
+        };
+
+        let zero = S::zero();
+        let cells = S::splat(self.grid.cells() as f64);
+        let mut jet = TemplateJet {
+            distance: zero,
+            gradient: [zero; D],
+            hessian: [[zero; D]; D],
+            hessian_slope: [[[zero; D]; D]; D],
+        };
+        for corner in 0..Grid::<D>::CORNERS {
+            let rows: [&[f64]; 2] = std::array::from_fn(|lane| {
+                let lane = lane.min(S::LANES - 1);
+                &self.values[(base[lane] + self.offsets[corner]) * Self::STRIDE..][..Self::STRIDE]
+            });
+            let distance = S::gather(|lane| rows[lane][0]);
+            jet.distance += weights.value[corner] * distance;
+            if ORDER >= GRADIENT {
+                for axis in 0..D {
+                    jet.gradient[axis] += weights.derivative[corner][axis] * distance;
+                }
+            }
+            let mut k = 1;
+            for a in 0..D {
+                for b in a..D {
+                    let entry = S::gather(|lane| rows[lane][k]);
+                    jet.hessian[a][b] += clamped.value[corner] * entry;
+                    if ORDER >= GRADIENT {
+                        for axis in 0..D {
+                            jet.hessian_slope[axis][a][b] += clamped.derivative[corner][axis] * entry;
+                        }
+                    }
+                    k += 1;
+                }
+            }
+        }
+        for a in 0..D {
+            for b in a..D {
+                jet.hessian[b][a] = jet.hessian[a][b];
+            }
+        }
+        if ORDER >= GRADIENT {
+            for axis in 0..D {
+                jet.gradient[axis] = jet.gradient[axis] * cells;
+                let scale = cells * inside[axis];
+                for a in 0..D {
+                    for b in a..D {
+                        jet.hessian_slope[axis][a][b] = jet.hessian_slope[axis][a][b] * scale;
+                        jet.hessian_slope[axis][b][a] = jet.hessian_slope[axis][a][b];
+                    }
+                }
+            }
+        }
+        jet
+    }
+}

@@ -1,0 +1,244 @@
+//! The energy densities, one a file, and their weighted sum.
+//!
+//! A term sees one quadrature point and knows no grid. Its unknowns there are D vectors of length D, the *slots*:
+//!
+//! | terms | slots |
+//! |---|---|
+//! | membrane, bending, mismatch | Dφ t_1, …, Dφ t_{D−1} (t: orthonormal tangents of the reference), φ |
+//! | volume | ∂φ/∂x_1, …, ∂φ/∂x_D |
+//!
+//! One function gives value, derivative and a positive semi-definite curvature, so they cannot drift apart.
+
+mod bending;
+mod membrane;
+mod mismatch;
+mod spectral;
+mod volume;
+
+pub use bending::{Bending, MeanCurvature};
+pub use membrane::Membrane;
+pub use mismatch::Mismatch;
+pub use volume::Volume;
+
+use crate::small::{Matrix, Scalar, Vector};
+
+/// What the reference contributes at a quadrature point, in its tangent frame.
+#[derive(Clone, Copy)]
+pub struct ReferenceJet<S, const D: usize> {
+    /// d1, the signed distance.
+    pub distance: S,
+    /// t_iᵀ D²d1 t_j; the first D−1 rows and columns count.
+    pub curvature: Matrix<S, D>,
+    /// |D²d1|² less the tangential part's: what of eq. (3) no deformation can change.
+    pub off_tangential: S,
+    /// tr D²d1.
+    pub trace: S,
+}
+
+/// The template at the moved point y = φ(x).
+#[derive(Clone, Copy)]
+pub struct TemplateJet<S, const D: usize> {
+    /// d2(y) and its derivative.
+    pub distance: S,
+    pub gradient: Vector<S, D>,
+    /// D²d2(y) and its derivatives: `hessian_slope[axis]`.
+    pub hessian: Matrix<S, D>,
+    pub hessian_slope: [Matrix<S, D>; D],
+}
+
+/// A quadrature point: the slots and both shapes' jets.
+#[derive(Clone, Copy)]
+pub struct Point<S, const D: usize> {
+    pub slots: [Vector<S, D>; D],
+    pub reference: ReferenceJet<S, D>,
+    pub template: TemplateJet<S, D>,
+}
+
+impl<S: Scalar, const D: usize> Point<S, D> {
+    /// A point for a term that looks at the slots alone.
+    #[inline(always)]
+    pub fn of_slots(slots: [Vector<S, D>; D]) -> Self {
+        let zero = S::zero();
+        let matrix = [[zero; D]; D];
+        Self {
+            slots,
+            reference: ReferenceJet { distance: zero, curvature: matrix, off_tangential: zero, trace: zero },
+            template: TemplateJet { distance: zero, gradient: [zero; D], hessian: matrix, hessian_slope: [matrix; D] },
+        }
+    }
+}
+
+/// Derivatives by the slots, summed over terms.
+#[derive(Clone, Copy)]
+pub struct Response<S, const D: usize> {
+    /// `gradient[slot][component]`.
+    pub gradient: [Vector<S, D>; D],
+    /// `curvature[p][q][a][b]`: slot p, component a against slot q, component b; filled for p ≤ q.
+    pub curvature: [[Matrix<S, D>; D]; D],
+}
+
+impl<S: Scalar, const D: usize> Response<S, D> {
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = S::zero();
+        Self { gradient: [[zero; D]; D], curvature: [[[[zero; D]; D]; D]; D] }
+    }
+
+    /// curvature += weight · direction ⊗ direction.
+    #[inline(always)]
+    pub fn add_outer(&mut self, weight: S, direction: &[Vector<S, D>; D]) {
+        for p in 0..D {
+            for a in 0..D {
+                let scaled = weight * direction[p][a];
+                for q in p..D {
+                    for b in 0..D {
+                        self.curvature[p][q][a][b] += scaled * direction[q][b];
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Orders of differentiation that [`Term::add`] can be asked for.
+pub const VALUE: u8 = 0;
+pub const GRADIENT: u8 = 1;
+pub const CURVATURE: u8 = 2;
+
+/// An energy density.
+pub trait Term<const D: usize> {
+    /// Returns the density; adds `weight` times its derivatives up to `ORDER` to the response.
+    ///
+    /// The curvature is a positive semi-definite approximation of the second derivative.
+    fn add<S: Scalar, const ORDER: u8>(&self, weight: S, point: &Point<S, D>, response: &mut Response<S, D>) -> S;
+}
+
+/// The isotropic law that membrane and volume share, on the tangent space and on the whole space.
+///
+/// W(A) = μ/2 tr A + g(det A), g(x) = (λ−2μ)/8 x + (λ+2μ)/8 / x.  Least at A = I; infinite at det A = 0.
+/// Source: eqs. (2) and (8). λ and μ are the Lamé coefficients.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    pub lambda: f64,
+    pub mu: f64,
+}
+
+impl Material {
+    /// g, g′ and g″ at x = det A.
+    #[inline(always)]
+    fn dilation<S: Scalar>(&self, x: S) -> (S, S, S) {
+        let linear = S::splat((self.lambda - 2.0 * self.mu) / 8.0);
+        let inverse = S::splat((self.lambda + 2.0 * self.mu) / 8.0);
+        let q = S::splat(1.0) / x;
+        let (first, second) = (inverse * q, inverse * q * q);
+        (linear * x + first, linear - second, (second + second) * q)
+    }
+}
+
+/// Which bending energy is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BendingModel {
+    /// Eq. (3): the relative shape operator.
+    ShapeOperator,
+    /// Eq. (10): the mean curvature alone.
+    MeanCurvature,
+}
+
+/// The weight η of the distance to the reference, in units of the band's half width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cutoff {
+    /// (1 − s²)².
+    Quartic,
+    /// (1 + cos πs)/2.
+    Cosine,
+    /// exp(1 − 1/(1−s²)).
+    Bump,
+}
+
+impl Cutoff {
+    /// η(s), zero for |s| ≥ 1.
+    pub fn weight(self, s: f64) -> f64 {
+        if s.abs() >= 1.0 {
+            return 0.0;
+        }
+        let rest = 1.0 - s * s;
+        match self {
+            Cutoff::Quartic => rest * rest,
+            Cutoff::Cosine => 0.5 * (1.0 + (std::f64::consts::PI * s).cos()),
+            Cutoff::Bump => (1.0 - 1.0 / rest).exp(),
+        }
+    }
+}
+
+/// The functional E of a level: every weight, and the sum.
+///
+/// E = α_mem δ ∫η W_mem + α_bend δ³ ∫η |S_rel|² + 1/ε ∫η (d2∘φ − d1)² + ξ ∫ (ζ + (1−ζ) χ_{d1<0}) W_vol
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Functional {
+    /// α_mem.
+    pub membrane: f64,
+    /// α_bend.
+    pub bending: f64,
+    pub bending_model: BendingModel,
+    /// δ, domain units.
+    pub thickness: f64,
+    /// 1/ε.
+    pub penalty: f64,
+    /// ξ.
+    pub volume: f64,
+    /// ζ, the softness outside the reference; 1 treats inside and outside alike.
+    pub interior: f64,
+    pub material: Material,
+    /// σ, the half width of the band, domain units.
+    pub bandwidth: f64,
+    /// η.
+    pub cutoff: Cutoff,
+    /// r, the radius of the local quadratic fit, cells.
+    pub fit_radius: f64,
+    /// θ, the share of the volume energy integrated at the corners of the cells.
+    pub vertex_share: f64,
+}
+
+/// Energies, each with its weight.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energies {
+    pub membrane: f64,
+    pub bending: f64,
+    pub mismatch: f64,
+    pub volume: f64,
+}
+
+impl Energies {
+    pub fn total(&self) -> f64 {
+        self.membrane + self.bending + self.mismatch + self.volume
+    }
+}
+
+impl Functional {
+    /// Weighted shell densities at a point (membrane, bending, mismatch); adds weighted derivatives.
+    #[inline(always)]
+    pub fn shell<S: Scalar, const D: usize, const ORDER: u8>(
+        &self,
+        weight: S,
+        point: &Point<S, D>,
+        response: &mut Response<S, D>,
+    ) -> [S; 3] {
+        let membrane = weight * S::splat(self.membrane * self.thickness);
+        let mismatch = weight * S::splat(self.penalty);
+        let (bending, bending_value) = match self.bending_model {
+            BendingModel::ShapeOperator => {
+                let bending = weight * S::splat(self.bending * self.thickness.powi(3));
+                (bending, Bending.add::<S, ORDER>(bending, point, response))
+            }
+            BendingModel::MeanCurvature => {
+                let bending = weight * S::splat(self.bending);
+                (bending, MeanCurvature.add::<S, ORDER>(bending, point, response))
+            }
+        };
+        [
+            membrane * Membrane(self.material).add::<S, ORDER>(membrane, point, response),
+            bending * bending_value,
+            mismatch * Mismatch.add::<S, ORDER>(mismatch, point, response),
+        ]
+    }
+}

@@ -1,0 +1,70 @@
+//! Symmetric block operators on nodal vectors that couple a node with its 3^D neighbours.
+
+use crate::grid::{Grid, MAX_CORNERS};
+
+/// Upper bound of 3^D.
+pub const MAX_NEIGHBOURS: usize = 27;
+
+/// One D×D block for each node and each of its 3^D neighbours (itself included), f32.
+///
+/// f32 is enough because the operator only serves to find a direction to a relative 0.1 or so; energies and
+/// gradients stay f64. Blocks of neighbours beyond the grid are zero.
+#[derive(Clone)]
+pub struct StencilOperator<const D: usize> {
+    grid: Grid<D>,
+    /// `blocks[((node·3^D + neighbour)·D + row)·D + column]`.
+    blocks: Vec<f32>,
+}
+
+impl<const D: usize> StencilOperator<D> {
+    pub const NEIGHBOURS: usize = 3_usize.pow(D as u32);
+    pub const BLOCK: usize = D * D;
+    /// Numbers a node.
+    pub const ROW: usize = Self::NEIGHBOURS * Self::BLOCK;
+    /// The neighbour that is the node itself.
+    pub const CENTRE: usize = Self::NEIGHBOURS / 2;
+
+    pub fn zero(grid: Grid<D>) -> Self {
+        Self { grid, blocks: vec![0.0; grid.node_count() * Self::ROW] }
+    }
+
+    pub fn grid(&self) -> Grid<D> {
+        self.grid
+    }
+
+    pub fn clear(&mut self) {
+        self.blocks.fill(0.0);
+    }
+
+    pub fn blocks(&self) -> &[f32] {
+        &self.blocks
+    }
+
+    pub fn blocks_mut(&mut self) -> &mut [f32] {
+        &mut self.blocks
+    }
+
+    /// The number of the neighbour at `offset`, each −1, 0 or 1.
+    pub fn neighbour(offset: [isize; D]) -> usize {
+        offset.iter().rev().fold(0, |number, &o| number * 3 + (o + 1) as usize)
+    }
+
+    /// The offset of a neighbour, each −1, 0 or 1.
+    pub fn offset(neighbour: usize) -> [isize; D] {
+        std::array::from_fn(|axis| (neighbour / 3_usize.pow(axis as u32) % 3) as isize - 1)
+    }
+
+    /// `corner_neighbours()[a][b]`: which neighbour corner b of a cell is to its corner a.
+    pub fn corner_neighbours() -> [[usize; MAX_CORNERS]; MAX_CORNERS] {
+        let bit = |corner: usize, axis: usize| (corner >> axis & 1) as isize;
+        std::array::from_fn(|a| {
+            std::array::from_fn(|b| Self::neighbour(std::array::from_fn(|axis| bit(b, axis) - bit(a, axis))))
+        })
+    }
+
+    /// The block of `node` and `neighbour`, by rows.
+    #[inline(always)]
+    pub fn block_mut(&mut self, node: usize, neighbour: usize) -> &mut [f32] {
+        &mut self.blocks[node * Self::ROW + neighbour * Self::BLOCK..][..Self::BLOCK]
+    }
+}

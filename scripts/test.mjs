@@ -93,7 +93,11 @@ await main(async () => {
   for (const [name, { title, check }] of Object.entries(STEPS)) {
     if (chosen.length > 0 && !chosen.includes(name)) continue;
     heading(title);
-    const count = await check();
+    const count = await check().catch((error) => {
+      if (!(error instanceof Obstacle)) throw error;
+      console.error(error.message);
+      return { passed: 0, failed: 1 };
+    });
     // A step that ran nothing has shown nothing.
     if (count.passed + count.failed === 0) count.failed = 1;
     console.log(`${name}: ${count.passed} passed, ${count.failed} failed`);

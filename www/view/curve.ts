@@ -1,0 +1,85 @@
+/** Curves coloured by the reference's arc length: equal colours are matched points. */
+
+import { type Frame, pixelX, pixelY } from "./canvas";
+import { onCycle } from "./palette";
+
+/** A closed polyline with, at each point, the part 0…1 of the reference's whole length reached there. */
+export type ColouredLoop = { readonly points: Float64Array; readonly parts: Float64Array };
+
+/**
+ * Arc length along the closed polylines `reference` as parts 0…1 of the whole length: one array a loop, one value a
+ * point. Every loop counts counter-clockwise from its rightmost point and longer loops come first, so that a curve
+ * keeps its colours whichever way and from wherever its points are listed.
+ */
+export function arcLengthParts(reference: readonly Float64Array[]): Float64Array[] {
+  const lengths = reference.map((loop) => {
+    let length = 0;
+    for (let i = 0; i < loop.length / 2; i += 1) length += edge(loop, i);
+    return length;
+  });
+  const whole = lengths.reduce((sum, length) => sum + length, 0);
+  const parts = reference.map((loop) => new Float64Array(loop.length / 2));
+  const order = reference.map((_, l) => l).sort((a, b) => lengths[b] - lengths[a]);
+  let before = 0;
+  for (const l of order) {
+    const loop = reference[l];
+    const count = parts[l].length;
+    let start = 0;
+    let twiceArea = 0;
+    for (let i = 0; i < count; i += 1) {
+      const j = (i + 1) % count;
+      twiceArea += loop[2 * i] * loop[2 * j + 1] - loop[2 * j] * loop[2 * i + 1];
+      if (loop[2 * i] > loop[2 * start]) start = i;
+    }
+    let travelled = 0;
+    for (let k = 0; k < count; k += 1) {
+      const i = twiceArea >= 0 ? (start + k) % count : (start - k + count) % count;
+      parts[l][i] = whole > 0 ? (before + travelled) / whole : 0;
+      travelled += edge(loop, twiceArea >= 0 ? i : (i - 1 + count) % count);
+    }
+    before += lengths[l];
+  }
+  return parts;
+}
+
+/** Length from point i to the next. */
+function edge(loop: Float64Array, i: number): number {
+  const j = (i + 1) % (loop.length / 2);
+  return Math.hypot(loop[2 * j] - loop[2 * i], loop[2 * j + 1] - loop[2 * i + 1]);
+}
+
+/** The points (1 − s) from + s to. */
+export function blended(from: Float64Array, to: Float64Array, s: number): Float64Array {
+  if (s === 1) return to;
+  const out = new Float64Array(from.length);
+  for (let i = 0; i < out.length; i += 1) out[i] = (1 - s) * from[i] + s * to[i];
+  return out;
+}
+
+/** Strokes the loop, each piece in the colour of the point it starts from. Width in device pixels. */
+export function strokeColoured(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  loop: ColouredLoop,
+  colours: readonly string[],
+  width: number,
+): void {
+  const count = loop.parts.length;
+  context.lineWidth = width;
+  context.lineCap = "round";
+  context.lineJoin = "round";
+  let colour = "";
+  for (let i = 0; i < count; i += 1) {
+    const next = onCycle(colours, loop.parts[i]);
+    if (next !== colour) {
+      if (colour) context.stroke();
+      colour = next;
+      context.strokeStyle = colour;
+      context.beginPath();
+      context.moveTo(pixelX(frame, loop.points[2 * i]), pixelY(frame, loop.points[2 * i + 1]));
+    }
+    const j = (i + 1) % count;
+    context.lineTo(pixelX(frame, loop.points[2 * j]), pixelY(frame, loop.points[2 * j + 1]));
+  }
+  if (colour) context.stroke();
+}

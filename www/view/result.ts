@@ -1,0 +1,161 @@
+/**
+ * Draws a match: the undeformed reference with its band, the deformed grid over the template, and the matched curve
+ * in the colours of the reference. Knows plain arrays only.
+ */
+
+import { type Frame, pixelX, pixelY, trace } from "./canvas";
+import { arcLengthParts, blended, type ColouredLoop, strokeColoured } from "./curve";
+import { onCycle, type Theme } from "./palette";
+
+export type Match = {
+  /** The grid has 2^level cells a side. */
+  readonly level: number;
+  /** φ at the nodes, x y a node, x fastest, domain units. */
+  readonly deformation: Float64Array;
+  /** Zero sets and φ(reference), closed; `matched[i]` has the points of `reference[i]`, moved. */
+  readonly curves: {
+    readonly reference: readonly Float64Array[];
+    readonly template: readonly Float64Array[];
+    readonly matched: readonly Float64Array[];
+  };
+};
+
+export type ResultScene = {
+  readonly reference: readonly Float64Array[];
+  readonly template: readonly Float64Array[];
+  /** Null before the first frame of a run: the identity is shown. */
+  readonly match: Match | null;
+  /** 0 shows the identity, 1 the match, between them (1 − s) x + s φ. */
+  readonly morph: number;
+  /** Half width of the band around the reference. */
+  readonly bandwidth: number;
+};
+
+/** Grid lines a direction; finer grids show every second, fourth, … line. */
+const LINES = 32;
+
+/** Lines from points of the reference to their partners. */
+const TICKS = 36;
+
+export function drawResult(context: CanvasRenderingContext2D, frame: Frame, colours: Theme, scene: ResultScene): void {
+  const { ratio } = frame;
+  const { match, morph } = scene;
+  const reference = match ? match.curves.reference : scene.reference;
+  const template = match ? match.curves.template : scene.template;
+
+  context.beginPath();
+  for (const loop of template) trace(context, frame, loop, true);
+  context.fillStyle = colours.template;
+  context.globalAlpha = 0.14;
+  // The solver's zero sets run either way; a hole is where they enclose twice.
+  context.fill(match ? "evenodd" : "nonzero");
+  context.globalAlpha = 1;
+
+  drawGrid(context, frame, colours, match ? match.level : 5, match ? match.deformation : null, morph);
+  drawBand(context, frame, colours, reference, scene.bandwidth);
+
+  context.globalAlpha = match ? 0.4 : 0.7;
+  context.beginPath();
+  for (const loop of template) trace(context, frame, loop, true);
+  context.strokeStyle = colours.template;
+  context.lineWidth = (match ? 6.5 : 2.25) * ratio;
+  context.lineJoin = "round";
+  context.stroke();
+  context.globalAlpha = 1;
+
+  const parts = arcLengthParts(reference);
+  if (!match) {
+    for (const loop of zip(reference, parts)) strokeColoured(context, frame, loop, colours.cycle, 2.5 * ratio);
+    return;
+  }
+  context.globalAlpha = 0.75;
+  drawTicks(context, frame, colours, match, parts, morph);
+  for (const loop of zip(reference, parts)) strokeColoured(context, frame, loop, colours.cycle, 1.5 * ratio);
+  context.globalAlpha = 1;
+  const moved = match.curves.matched.map((points, i) => blended(match.curves.reference[i], points, morph));
+  for (const loop of zip(moved, parts)) strokeColoured(context, frame, loop, colours.cycle, 3.25 * ratio);
+}
+
+export function zip(loops: readonly Float64Array[], parts: readonly Float64Array[]): ColouredLoop[] {
+  return loops.map((points, i) => ({ points, parts: parts[i] }));
+}
+
+function drawGrid(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  colours: Theme,
+  level: number,
+  deformation: Float64Array | null,
+  morph: number,
+): void {
+  const cells = 2 ** level;
+  const side = cells + 1;
+  const stride = Math.max(1, cells / LINES);
+  const s = deformation ? morph : 0;
+  context.strokeStyle = colours.grid;
+  context.lineJoin = "round";
+  for (const border of [false, true]) {
+    context.beginPath();
+    for (let line = 0; line <= cells; line += stride) {
+      if ((line === 0 || line === cells) !== border) continue;
+      for (const along of [0, 1]) {
+        for (let k = 0; k <= cells; k += 1) {
+          const i = along === 0 ? k : line;
+          const j = along === 0 ? line : k;
+          const node = 2 * (j * side + i);
+          const x = (1 - s) * (i / cells) + (deformation ? s * deformation[node] : 0);
+          const y = (1 - s) * (j / cells) + (deformation ? s * deformation[node + 1] : 0);
+          if (k === 0) context.moveTo(pixelX(frame, x), pixelY(frame, y));
+          else context.lineTo(pixelX(frame, x), pixelY(frame, y));
+        }
+      }
+    }
+    context.lineWidth = (border ? 1.5 : 0.9) * frame.ratio;
+    context.stroke();
+  }
+}
+
+function drawBand(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  colours: Theme,
+  reference: readonly Float64Array[],
+  bandwidth: number,
+): void {
+  context.beginPath();
+  for (const loop of reference) trace(context, frame, loop, true);
+  context.strokeStyle = colours.reference;
+  context.lineWidth = 2 * bandwidth * frame.scale;
+  context.lineJoin = "round";
+  context.globalAlpha = 0.09;
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+function drawTicks(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  colours: Theme,
+  match: Match,
+  parts: readonly Float64Array[],
+  morph: number,
+): void {
+  context.lineWidth = frame.ratio;
+  match.curves.reference.forEach((from, l) => {
+    const to = match.curves.matched[l];
+    const count = parts[l].length;
+    for (let i = 0; i < count; i += 1) {
+      // A tick stands where the arc length passes a multiple of 1 / TICKS, whichever way the points are listed.
+      const next = (i + 1) % count;
+      if (Math.floor(parts[l][i] * TICKS) === Math.floor(parts[l][next] * TICKS)) continue;
+      context.beginPath();
+      context.strokeStyle = onCycle(colours.cycle, parts[l][i]);
+      context.moveTo(pixelX(frame, from[2 * i]), pixelY(frame, from[2 * i + 1]));
+      context.lineTo(
+        pixelX(frame, from[2 * i] + morph * (to[2 * i] - from[2 * i])),
+        pixelY(frame, from[2 * i + 1] + morph * (to[2 * i + 1] - from[2 * i + 1])),
+      );
+      context.stroke();
+    }
+  });
+}

@@ -1,0 +1,48 @@
+/**
+ * What page and worker say to each other. Types only; those of the solver come from its Rust source.
+ *
+ * Every run has a number, given by the page. An answer with an old number belongs to a cancelled run and is dropped.
+ */
+
+import type { Settings, Shape, Status } from "./wasm/thinshell.js";
+
+export type { Settings, Shape, Status };
+
+/** Zero sets and φ(reference): closed polylines, x y x y …, domain units. */
+export type Curves = {
+  readonly reference: Float64Array[];
+  readonly template: Float64Array[];
+  readonly matched: Float64Array[];
+};
+
+export type Request =
+  /** First message of a worker's life: the compiled solver, so that no worker ever needs the network. */
+  | { readonly kind: "load"; readonly module: WebAssembly.Module }
+  | {
+      readonly kind: "start";
+      readonly run: number;
+      readonly reference: Shape;
+      readonly template: Shape;
+      readonly settings: Partial<Settings>;
+    }
+  | { readonly kind: "pause"; readonly run: number }
+  | { readonly kind: "resume"; readonly run: number }
+  | { readonly kind: "cancel"; readonly run: number }
+  /** The page has taken the last frame; until then the worker sends no other, so that no queue builds up. */
+  | { readonly kind: "taken"; readonly run: number };
+
+export type Reply =
+  | {
+      readonly kind: "frame";
+      readonly run: number;
+      readonly status: Status;
+      /** φ at the nodes of the level, x y a node, x fastest. */
+      readonly deformation: Float64Array;
+      readonly curves: Curves;
+    }
+  /** The solver does not take this input: a sentence with the remedy. */
+  | { readonly kind: "refused"; readonly run: number; readonly message: string }
+  /** The solver has failed and this worker is of no more use. */
+  | { readonly kind: "crashed"; readonly message: string };
+
+export type FrameReply = Extract<Reply, { kind: "frame" }>;

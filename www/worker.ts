@@ -1,0 +1,123 @@
+/**
+ * The solver's thread. Steps until a frame's time has passed, posts what there is to see, lets the message queue run,
+ * and goes on. The only importer of the wasm package; formulas and policies live in the solver.
+ */
+
+import type { Reply, Request } from "./protocol";
+import init, { Registration } from "./wasm/thinshell.js";
+
+/** Solving between two looks at the message queue. */
+const CHUNK_MILLIS = 30;
+
+type Start = Extract<Request, { kind: "start" }>;
+
+/** What the page wants now. Messages only write here; the loop alone touches the solver. */
+const wanted = {
+  module: null as WebAssembly.Module | null,
+  start: null as Start | null,
+  cancelled: false,
+  paused: false,
+};
+let lastFrameTaken = true;
+let wake: () => void = () => {};
+
+self.onmessage = ({ data }: MessageEvent<Request>) => {
+  const current = wanted.start?.run ?? running.run;
+  if (data.kind === "load") wanted.module = data.module;
+  else if (data.kind === "start") {
+    wanted.start = data;
+    wanted.paused = false;
+    wanted.cancelled = false;
+  } else if (data.run !== current) return;
+  else if (data.kind === "taken") lastFrameTaken = true;
+  else if (data.kind === "cancel") {
+    wanted.start = null;
+    wanted.cancelled = true;
+  } else wanted.paused = data.kind === "pause";
+  wake();
+};
+
+const running = {
+  run: -1,
+  registration: null as Registration | null,
+  finished: false,
+};
+
+async function loop(): Promise<never> {
+  while (!wanted.module) await asleep();
+  await init({ module_or_path: wanted.module });
+  for (;;) {
+    if (wanted.cancelled) {
+      drop();
+      wanted.cancelled = false;
+    }
+    if (wanted.start) await begin(wanted.start);
+    if (!running.registration || running.finished || wanted.paused) await asleep();
+    else {
+      await solve(running.registration);
+      await queue();
+    }
+  }
+}
+
+async function begin(start: Start): Promise<void> {
+  wanted.start = null;
+  drop();
+  running.run = start.run;
+  running.finished = false;
+  lastFrameTaken = true;
+  try {
+    running.registration = await Registration.create(start.reference, start.template, start.settings);
+  } catch (problem) {
+    if (problem instanceof WebAssembly.RuntimeError) throw problem;
+    post({ kind: "refused", run: start.run, message: problem instanceof Error ? problem.message : String(problem) });
+  }
+}
+
+function drop(): void {
+  running.registration?.free();
+  running.registration = null;
+}
+
+async function solve(registration: Registration): Promise<void> {
+  const until = performance.now() + CHUNK_MILLIS;
+  let status = await registration.step(1);
+  while (!status.finished && performance.now() < until) status = await registration.step(1);
+  running.finished = status.finished;
+  // The last frame carries the result, so it always goes out.
+  if (!lastFrameTaken && !status.finished) return;
+  const deformation = registration.deformation();
+  const curves = registration.curves();
+  lastFrameTaken = false;
+  post({ kind: "frame", run: running.run, status, deformation, curves }, [
+    deformation.buffer as ArrayBuffer,
+    ...[...curves.reference, ...curves.template, ...curves.matched].map((curve) => curve.buffer as ArrayBuffer),
+  ]);
+}
+
+function post(reply: Reply, transfer: Transferable[] = []): void {
+  self.postMessage(reply, { transfer });
+}
+
+function asleep(): Promise<void> {
+  return new Promise((resolve) => {
+    wake = resolve;
+  });
+}
+
+const channel = new MessageChannel();
+let turn: () => void = () => {};
+channel.port1.onmessage = () => turn();
+
+/** Resolves after the messages that are waiting. A timer would cost four milliseconds a turn. */
+function queue(): Promise<void> {
+  return new Promise((resolve) => {
+    turn = resolve;
+    channel.port2.postMessage(null);
+  });
+}
+
+// A panic inside the solver's asynchronous part rejects no promise of ours, but arrives here.
+self.addEventListener("error", (event) => post({ kind: "crashed", message: event.message }));
+self.addEventListener("unhandledrejection", (event) => post({ kind: "crashed", message: String(event.reason) }));
+loop().catch((problem) => post({ kind: "crashed", message: String(problem) }));

@@ -1,0 +1,112 @@
+import { effect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { Session, Side } from "../session";
+import { Drawing } from "../shapes/draw";
+import { keyed } from "../shapes/edit";
+import { Surface } from "../view/canvas";
+import { arcLengthParts } from "../view/curve";
+import { zip } from "../view/result";
+import { drawSketch } from "../view/sketch";
+
+/** Two cells of the coarsest grid: closer to the border the solver refuses a shape. */
+const KEEP_OUT = 2 / 16;
+
+const NAMES = { reference: "Reference", template: "Template" };
+
+/** One sketch surface with its heading and Clear button. */
+export function SketchPanel({ session, side }: { session: Session; side: Side }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const drawing = useRef<Drawing>(null);
+
+  useEffect(() => {
+    if (!canvas.current) return;
+    const surface = new Surface(canvas.current, 0, (context, frame, colours) =>
+      drawSketch(context, frame, colours, {
+        side,
+        shape: session.shapes.value[side],
+        stroke: hand.stroke,
+        grip: hand.grip,
+        pull: hand.pull,
+        coloured: colouredLoops(session, side),
+        keepOut: KEEP_OUT,
+      }),
+    );
+    const hand = new Drawing({
+      canvas: canvas.current,
+      get pixelsPerUnit() {
+        return surface.pixelsPerUnit;
+      },
+      pointFrom: (event) => surface.pointFrom(event),
+      shape: () => session.shapes.value[side],
+      isExample: () => session.isExample(side),
+      preview: (shape) => session.previewShape(side, shape),
+      commit: (shape) => session.commitShape(side, shape),
+      repaint: () => surface.invalidate(),
+    });
+    drawing.current = hand;
+    const stop = effect(() => {
+      session.shapes.value;
+      session.match.value;
+      session.phase.value;
+      surface.invalidate();
+    });
+    return () => {
+      stop();
+      hand.dispose();
+      surface.dispose();
+    };
+  }, [session, side]);
+
+  const press = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "Escape") {
+      drawing.current?.cancel();
+      return;
+    }
+    const shape = keyed(session.shapes.value[side], event.key, event.shiftKey);
+    if (!shape) return;
+    event.preventDefault();
+    session.commitShape(side, shape);
+  };
+
+  const empty = session.shapes.value[side].length === 0;
+  return (
+    <section class="sketch" aria-labelledby={`${side}-name`}>
+      <header>
+        <h2 id={`${side}-name`} class={side}>
+          {NAMES[side]}
+        </h2>
+        <button
+          type="button"
+          class="quiet"
+          aria-label={`Clear ${side}`}
+          disabled={empty}
+          onClick={() => session.commitShape(side, [])}
+        >
+          Clear
+        </button>
+      </header>
+      <div class="surface">
+        {/* biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: application is the role of a surface with keys of its own */}
+        <canvas
+          ref={canvas}
+          tabIndex={0}
+          role="application"
+          aria-label={`${NAMES[side]} shape`}
+          aria-describedby="keys"
+          onKeyDown={press}
+        />
+        {empty && <p class="invitation">Draw a closed curve here</p>}
+      </div>
+    </section>
+  );
+}
+
+/** The reference always shows its arc length; the template shows that of its partners once they are found. */
+function colouredLoops(session: Session, side: Side) {
+  const shape = session.shapes.value[side];
+  if (side === "reference") return zip(shape, arcLengthParts(shape));
+  const match = session.match.value;
+  if (!match?.status.finished || session.phase.value !== "finished") return null;
+  return zip(match.curves.matched, arcLengthParts(match.curves.reference));
+}

@@ -1,0 +1,135 @@
+import { effect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { Status } from "../protocol";
+import type { Session } from "../session";
+import { drawEnergies } from "../view/chart";
+import { theme } from "../view/palette";
+import { decimals } from "./numbers";
+
+/** What goes on, in words and as machine-readable values, with the energies as they fall. */
+export function StatusPanel({ session }: { session: Session }) {
+  const phase = session.phase.value;
+  const status = session.fresh.value ? session.match.value?.status : undefined;
+  const working = phase === "solving" || phase === "paused";
+  return (
+    <div class="status-row">
+      {/* Thirty updates a second would drown a screen reader: it hears the beginning and the end. */}
+      <div role="status" aria-live={phase === "solving" && status ? "off" : "polite"}>
+        <p class="headline">{headline(session, status)}</p>
+        {status && (
+          <dl>
+            <Value name="level" label="Grid" value={status.level} text={gridName(status.level)} />
+            <Value name="iteration" label="Iteration" value={status.iteration} text={String(status.iteration)} />
+            <Value name="total" label="Energy" value={status.energies.total} text={decimals(status.energies.total)} />
+            {!working && (
+              <>
+                <Value
+                  name="mismatch-max"
+                  label="Largest distance"
+                  value={status.mismatch.max}
+                  text={`${decimals(status.mismatch.max)} cells`}
+                />
+                <Value
+                  name="mismatch-mean"
+                  label="Mean distance"
+                  value={status.mismatch.mean}
+                  text={`${decimals(status.mismatch.mean)} cells`}
+                />
+                <Value
+                  name="least-determinant"
+                  label="Least area ratio"
+                  value={status.leastDeterminant}
+                  text={decimals(status.leastDeterminant)}
+                />
+              </>
+            )}
+          </dl>
+        )}
+      </div>
+      <EnergyChart session={session} />
+    </div>
+  );
+}
+
+function Value({ name, label, value, text }: { name: string; label: string; value: number; text: string }) {
+  return (
+    <div>
+      <dt>{label}</dt>
+      <dd>
+        <data data-name={name} value={String(value)}>
+          {text}
+        </data>
+      </dd>
+    </div>
+  );
+}
+
+function gridName(level: number): string {
+  const side = 2 ** level + 1;
+  return `${side} × ${side}`;
+}
+
+function headline(session: Session, status: Status | undefined): string {
+  switch (session.phase.value) {
+    case "idle":
+      return "Ready: press Match.";
+    case "solving":
+      return status ? `Matching on the ${gridName(status.level)} grid …` : "Starting …";
+    case "paused":
+      return "Paused.";
+    case "finished":
+      if (!status) return "The shapes have changed: press Match.";
+      return `Done: ${status.stop ?? "finished"}.`.replace("..", ".");
+  }
+}
+
+/** How far the cascade is, as a part of its levels. */
+export function Progress({ session }: { session: Session }) {
+  const phase = session.phase.value;
+  if (phase !== "solving" && phase !== "paused") return <div class="progress idle" />;
+  const status = session.fresh.value ? session.match.value?.status : undefined;
+  const coarsest = session.settings.value.coarsest ?? 4;
+  const finest = session.settings.value.finest ?? 7;
+  // Nobody knows how many iterations a level will take: each brings the bar closer to the next level's mark.
+  const within = status ? status.iteration / (status.iteration + 20) : 0;
+  const done = status ? (status.level - coarsest + within) / (finest - coarsest + 1) : 0;
+  const percent = Math.round(100 * Math.min(1, Math.max(0, done)));
+  return (
+    <div
+      class="progress"
+      role="progressbar"
+      aria-label="Match"
+      aria-valuemin={0}
+      aria-valuemax={100}
+      aria-valuenow={percent}
+    >
+      <div style={{ inlineSize: `${percent}%` }} />
+    </div>
+  );
+}
+
+function EnergyChart({ session }: { session: Session }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(
+    () =>
+      effect(() => {
+        const history = session.energies.value;
+        const target = canvas.current;
+        const context = target?.getContext("2d");
+        if (!target || !context) return;
+        const { clientWidth, clientHeight } = target;
+        target.width = Math.round(clientWidth * devicePixelRatio);
+        target.height = Math.round(clientHeight * devicePixelRatio);
+        drawEnergies(context, target.width, target.height, devicePixelRatio, theme(), history);
+      }),
+    [session],
+  );
+  return (
+    <figure class="chart" hidden={session.energies.value.length < 2}>
+      <canvas ref={canvas} role="img" aria-label="Energy over iterations" />
+      <figcaption>
+        <span class="total">energy</span> and <span class="mismatch">its mismatch part</span>, logarithmic
+      </figcaption>
+    </figure>
+  );
+}

@@ -1,0 +1,84 @@
+import { useSignal } from "@preact/signals";
+import type { Session } from "../session";
+
+/** Everything that is done with a press. */
+export function Toolbar({ session }: { session: Session }) {
+  const phase = session.phase.value;
+  const working = phase === "solving" || phase === "paused";
+  const { reference, template } = session.shapes.value;
+  return (
+    <div class="toolbar" role="toolbar" aria-label="Actions">
+      <div class="group">
+        <button type="button" class="primary" onClick={() => session.start()}>
+          Match
+        </button>
+        <button
+          type="button"
+          disabled={!working}
+          onClick={() => (phase === "paused" ? session.resume() : session.pause())}
+        >
+          {phase === "paused" ? "Resume" : "Pause"}
+        </button>
+        <button type="button" disabled={!working} onClick={() => session.cancel()}>
+          Cancel
+        </button>
+      </div>
+      <div class="group">
+        <button type="button" disabled={!session.canUndo.value} onClick={() => session.undo()}>
+          Undo
+        </button>
+        <button type="button" disabled={!session.canRedo.value} onClick={() => session.redo()}>
+          Redo
+        </button>
+        <button
+          type="button"
+          disabled={reference.length === 0 && template.length === 0}
+          title="Scale and centre both shapes"
+          onClick={() => session.fit()}
+        >
+          Fit
+        </button>
+        <CopyLink session={session} />
+      </div>
+    </div>
+  );
+}
+
+function CopyLink({ session }: { session: Session }) {
+  const said = useSignal("Copy link");
+  const copy = async () => {
+    const address = new URL(`#${session.link()}`, location.href).href;
+    try {
+      await navigator.clipboard.writeText(address);
+      said.value = "Copied";
+    } catch {
+      // Not allowed here: the address bar holds the same link.
+      history.replaceState(null, "", address);
+      said.value = "See address bar";
+    }
+    setTimeout(() => {
+      said.value = "Copy link";
+    }, 1600);
+  };
+  return (
+    <button type="button" title="A link that brings back shapes and settings" onClick={copy}>
+      {said}
+    </button>
+  );
+}
+
+export function Problem({ session }: { session: Session }) {
+  const text = session.problem.value;
+  return (
+    <div role="alert">
+      {text && (
+        <div class="problem">
+          <p class="text">{text}</p>
+          <button type="button" class="quiet" onClick={() => session.dismissProblem()}>
+            Dismiss
+          </button>
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,72 @@
+/** Wires shapes, solver and views into the page; the only file that knows all. */
+
+import { render } from "preact";
+import { Morph } from "./controls/Morph";
+import { Presets } from "./controls/Presets";
+import { ResultPanel } from "./controls/ResultPanel";
+import { SettingsPanel } from "./controls/SettingsPanel";
+import { SketchPanel } from "./controls/SketchPanel";
+import { Progress, StatusPanel } from "./controls/StatusPanel";
+import { Problem, Toolbar } from "./controls/Toolbar";
+import { Session } from "./session";
+import { open, readStorage } from "./state";
+import "./style.css";
+import solverUrl from "./wasm/thinshell_bg.wasm?url";
+
+function App({ session }: { session: Session }) {
+  return (
+    <>
+      <div class="sketches">
+        <SketchPanel session={session} side="reference" />
+        <SketchPanel session={session} side="template" />
+      </div>
+      <div class="actions">
+        <Toolbar session={session} />
+        <Problem session={session} />
+      </div>
+      <section class="outcome" aria-labelledby="outcome-name">
+        <header>
+          <h2 id="outcome-name">Match</h2>
+          <Morph session={session} />
+        </header>
+        <div class="surface">
+          <Progress session={session} />
+          <ResultPanel session={session} />
+        </div>
+        <StatusPanel session={session} />
+      </section>
+      <div class="choices">
+        <Presets session={session} />
+        <SettingsPanel session={session} />
+      </div>
+    </>
+  );
+}
+
+/** Fetched while the page loads and compiled once; workers get the compiled module, never an address. */
+async function compiledSolver(): Promise<WebAssembly.Module> {
+  const answer = await fetch(solverUrl);
+  if (!answer.ok) throw new Error(`the solver could not be loaded (${answer.status}); reload the page`);
+  return WebAssembly.compile(await answer.arrayBuffer());
+}
+
+function shortcuts(session: Session): void {
+  addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    const typing = event.target instanceof HTMLInputElement && event.target.type === "number";
+    if (typing) return;
+    const key = event.key.toLowerCase();
+    if (key === "z" && !event.shiftKey) session.undo();
+    else if ((key === "z" && event.shiftKey) || key === "y") session.redo();
+    else return;
+    event.preventDefault();
+  });
+}
+
+const root = document.getElementById("app");
+if (!root) throw new Error("index.html has no #app");
+const session = new Session(compiledSolver(), open(location.hash, readStorage()));
+shortcuts(session);
+addEventListener("hashchange", () => session.openLink(location.hash));
+root.replaceChildren();
+render(<App session={session} />, root);

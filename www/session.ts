@@ -1,0 +1,272 @@
+/** What the page knows: shapes and their history, settings, the run under way. Signals; no DOM. */
+
+import { computed, effect, signal } from "@preact/signals";
+import { begun, changed, type History, redone, undone } from "./history";
+import type { FrameReply } from "./protocol";
+import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
+import { fitted, type Shape } from "./shapes/geometry";
+import type { Preset } from "./shapes/presets";
+import { Solver } from "./solver";
+import { encode, type Opened, open, remember } from "./state";
+import type { EnergyPoint } from "./view/chart";
+
+export type Side = "reference" | "template";
+export type Phase = "idle" | "solving" | "paused" | "finished";
+
+/** The two shapes as they stand in the history. */
+export type Pair = {
+  readonly reference: Shape;
+  readonly template: Shape;
+  /** The preset that both are, untouched. */
+  readonly preset: string | null;
+  /** Which of them are untouched examples: the first stroke replaces those. */
+  readonly examples: { readonly reference: boolean; readonly template: boolean };
+};
+
+/** Between an edit and the new run it causes; a drag makes many. */
+const RESTART_MILLIS = 250;
+/** Between an edit and its being written to the address, which browsers allow some three times a second. */
+const REMEMBER_MILLIS = 400;
+
+export class Session {
+  private readonly history;
+  private readonly solver: Solver;
+  private restarting: ReturnType<typeof setTimeout> | undefined;
+  private remembering: ReturnType<typeof setTimeout> | undefined;
+
+  /** The shape under the hand, not yet in the history. */
+  private readonly moving = signal<{ readonly side: Side; readonly shape: Shape } | null>(null);
+  readonly settings = signal<Chosen>({});
+  readonly phase = signal<Phase>("idle");
+  readonly energies = signal<readonly EnergyPoint[]>([]);
+  readonly problem = signal<string | null>(null);
+  /** 0 shows the identity, 1 the match. */
+  readonly morph = signal(1);
+
+  private readonly frame = signal<FrameReply | null>(null);
+  /** The shapes of the run that `frame` belongs to. */
+  private readonly solved = signal<{ readonly reference: Shape; readonly template: Shape } | null>(null);
+
+  readonly shapes;
+  readonly canUndo;
+  readonly canRedo;
+  readonly preset;
+  /** The frame to show: none while the shapes are others than those it was computed for, unless a new run is on. */
+  readonly match;
+
+  constructor(module: Promise<WebAssembly.Module>, opened: Opened) {
+    const { saved, problem } = opened;
+    this.history = signal<History<Pair>>(begun(pairFrom(saved.reference, saved.template, saved.preset)));
+    this.settings.value = saved.settings;
+    this.problem.value = problem;
+    this.shapes = computed(() => {
+      const { reference, template } = this.history.value.present;
+      const moving = this.moving.value;
+      return {
+        reference: moving?.side === "reference" ? moving.shape : reference,
+        template: moving?.side === "template" ? moving.shape : template,
+      };
+    });
+    this.canUndo = computed(() => this.history.value.past.length > 0);
+    this.canRedo = computed(() => this.history.value.future.length > 0);
+    this.preset = computed(() => this.history.value.present.preset);
+    this.match = computed(() => {
+      const solved = this.solved.value;
+      const { reference, template } = this.shapes.value;
+      const current = solved?.reference === reference && solved.template === template;
+      return current || this.phase.value === "solving" ? this.frame.value : null;
+    });
+    this.solver = new Solver(module, {
+      frame: (frame) => this.receive(frame),
+      refused: (message) => this.fail(sentence(message)),
+      crashed: (message) =>
+        this.fail(
+          `The solver stopped unexpectedly (${message}). Your shapes are kept; press Match to try again with a fresh one.`,
+        ),
+    });
+    this.rememberChanges();
+  }
+
+  isExample(side: Side): boolean {
+    return this.history.value.present.examples[side];
+  }
+
+  /** The shape while the hand is still moving. */
+  previewShape(side: Side, shape: Shape): void {
+    this.moving.value = { side, shape };
+    this.shapesChanged();
+  }
+
+  /** One step to undo. */
+  commitShape(side: Side, shape: Shape): void {
+    const { present } = this.history.value;
+    this.commit({
+      ...present,
+      [side]: shape,
+      preset: null,
+      examples: { ...present.examples, [side]: false },
+    });
+  }
+
+  /** Scales both shapes to a comfortable size and centres them. */
+  fit(): void {
+    const { present } = this.history.value;
+    this.commit({ ...present, reference: fitted(present.reference), template: fitted(present.template), preset: null });
+  }
+
+  choosePreset(preset: Preset): void {
+    this.commit(pairFrom(preset.reference, preset.template, preset.id));
+    this.start();
+  }
+
+  undo(): void {
+    this.travel(undone(this.history.value));
+  }
+
+  redo(): void {
+    this.travel(redone(this.history.value));
+  }
+
+  /** Shows what a link holds; the shapes before it are one undo away. */
+  openLink(hash: string): void {
+    const { saved, problem } = open(hash, null);
+    if (problem) {
+      this.problem.value = problem;
+      return;
+    }
+    this.settings.value = saved.settings;
+    this.commit(pairFrom(saved.reference, saved.template, saved.preset));
+  }
+
+  changeSetting(field: SettingField, value: number | string | boolean): void {
+    this.settings.value = withSetting(this.settings.value, field, value);
+    this.restartSoon();
+  }
+
+  resetSettings(): void {
+    this.settings.value = {};
+    this.restartSoon();
+  }
+
+  start(): void {
+    clearTimeout(this.restarting);
+    const { reference, template } = this.shapes.value;
+    this.problem.value = null;
+    this.energies.value = [];
+    this.phase.value = "solving";
+    // The last picture stays until the first frame of the new run, but not its numbers.
+    this.solved.value = { reference, template };
+    this.fresh.value = false;
+    this.solver.start(
+      { kind: "curves", loops: [...reference] },
+      { kind: "curves", loops: [...template] },
+      this.settings.value,
+    );
+  }
+
+  pause(): void {
+    if (this.phase.value !== "solving") return;
+    this.solver.pause();
+    this.phase.value = "paused";
+  }
+
+  resume(): void {
+    if (this.phase.value !== "paused") return;
+    this.solver.resume();
+    this.phase.value = "solving";
+  }
+
+  cancel(): void {
+    clearTimeout(this.restarting);
+    this.solver.cancel();
+    this.phase.value = "idle";
+    this.frame.value = null;
+  }
+
+  dismissProblem(): void {
+    this.problem.value = null;
+  }
+
+  /** The address that brings back what is on the page now. */
+  link(): string {
+    const { reference, template, preset } = this.history.value.present;
+    return encode({ reference, template, settings: this.settings.value, preset });
+  }
+
+  /** Whether `match` belongs to the run under way, not to the one before. */
+  readonly fresh = signal(false);
+
+  private receive(frame: FrameReply): void {
+    const { status } = frame;
+    this.frame.value = frame;
+    this.fresh.value = true;
+    const { total, mismatch } = status.energies;
+    this.energies.value = [...this.energies.value, { level: status.level, total, mismatch }];
+    if (status.finished) this.phase.value = "finished";
+  }
+
+  private fail(message: string): void {
+    clearTimeout(this.restarting);
+    this.phase.value = "idle";
+    this.frame.value = null;
+    this.problem.value = message;
+  }
+
+  private commit(pair: Pair): void {
+    this.moving.value = null;
+    this.history.value = changed(this.history.value, pair);
+    this.problem.value = null;
+    this.shapesChanged();
+  }
+
+  private travel(to: History<Pair>): void {
+    if (to === this.history.value) return;
+    this.moving.value = null;
+    this.history.value = to;
+    this.shapesChanged();
+  }
+
+  private shapesChanged(): void {
+    if (this.phase.value === "paused") this.cancel();
+    else this.restartSoon();
+  }
+
+  /** A run under way starts again with what has changed; without one, the user decides. */
+  private restartSoon(): void {
+    if (this.phase.value !== "solving") return;
+    clearTimeout(this.restarting);
+    this.restarting = setTimeout(() => this.start(), RESTART_MILLIS);
+  }
+
+  private rememberChanges(): void {
+    let last = this.link();
+    effect(() => {
+      const text = this.link();
+      clearTimeout(this.remembering);
+      if (text === last) return;
+      this.remembering = setTimeout(() => {
+        last = text;
+        remember(text);
+      }, REMEMBER_MILLIS);
+    });
+    // Closing the page within that time loses nothing either.
+    addEventListener("pagehide", () => {
+      if (this.link() !== last) remember(this.link());
+    });
+  }
+}
+
+function pairFrom(reference: Shape, template: Shape, preset: string | null): Pair {
+  const example = preset !== null;
+  return { reference, template, preset, examples: { reference: example, template: example } };
+}
+
+function sentence(message: string): string {
+  const text = message.charAt(0).toUpperCase() + message.slice(1);
+  return /[.!?]$/.test(text) ? text : `${text}.`;
+}
+
+/** The setting fields whose value is not the default. */
+export function changedFields(settings: Chosen): readonly SettingField[] {
+  return FIELDS.filter((field) => settings[field.name] !== undefined);
+}

@@ -34,6 +34,16 @@ impl<const D: usize> SignedDistance<D> {
         &self.values
     }
 
+    /// Nodal values that are known to be in order; nothing is checked but their number.
+    ///
+    /// # Panics
+    ///
+    /// If there is not one value a node.
+    pub fn from_nodal(grid: Grid<D>, values: Vec<f64>) -> Self {
+        assert_eq!(values.len(), grid.node_count(), "one value a node");
+        Self { grid, values }
+    }
+
     /// Nodal values used as they are, a signed distance or not.
     ///
     /// # Errors

@@ -37,7 +37,7 @@ pub(super) fn redistance<const D: usize>(grid: Grid<D>, values: &[f64]) -> Vec<f
 fn next_to_zero<const D: usize>(cubic: &Cubic<D>, grid: Grid<D>, values: &[f64], node: usize) -> Option<f64> {
     let value = values[node];
     let index = grid.node_index(node);
-    let (mut least, mut inverse_squares) = (f64::INFINITY, 0.0);
+    let (mut inverse_squares, mut without) = (0.0, 0.0);
     for axis in 0..D {
         let stride = grid.stride(axis);
         let below = (index[axis] > 0).then(|| values[node - stride]);
@@ -48,16 +48,17 @@ fn next_to_zero<const D: usize>(cubic: &Cubic<D>, grid: Grid<D>, values: &[f64],
             .filter(|neighbour| (*neighbour < 0.0) != (value < 0.0))
             .map(|neighbour| value / (value - neighbour))
             .fold(f64::INFINITY, f64::min);
-        least = least.min(crossing);
         inverse_squares += 1.0 / (crossing * crossing);
+        without += if crossing.is_finite() { 0.0 } else { 1.0 };
     }
-    if least == f64::INFINITY {
+    if inverse_squares == 0.0 {
         return None;
     }
-    // The plane through the crossings on the axes, in cells; a zero crossing gives 1/∞ = 0.
-    let plane = 1.0 / f64::sqrt(inverse_squares);
-    let trusted = |distance: &f64| (distance - plane).abs() < 0.25 && *distance <= least + 0.1;
-    let cells = cubic.distance(index).filter(trusted).unwrap_or(plane);
+    // The plane through the crossings on the axes, in cells; a zero crossing gives 1/∞ = 0. On axes without a
+    // crossing the plane may pass anywhere from one cell off to never: that leaves a range, and rough data a margin.
+    let (nearest, farthest) = (1.0 / f64::sqrt(inverse_squares + without), 1.0 / f64::sqrt(inverse_squares));
+    let trusted = |distance: &f64| (nearest - 0.25..=farthest + 0.1).contains(distance);
+    let cells = cubic.distance(index).filter(trusted).unwrap_or(farthest);
     Some(cells * grid.spacing())
 }
 

@@ -12,6 +12,9 @@ use crate::grid::Grid;
 /// Midway between the greatest grey value outside and the least inside.
 const THRESHOLD: f64 = 127.5;
 
+/// More points than any clean outline has; noise with more would exhaust the memory of a page.
+const MOST_POINTS: usize = 2_000_000;
+
 impl SignedDistance<2> {
     /// The exact signed distance to the outline of the pixels above 127, row 0 on top, one byte a pixel.
     ///
@@ -21,7 +24,7 @@ impl SignedDistance<2> {
     ///
     /// # Errors
     ///
-    /// A wrong number of pixels, and what [`from_loops`](Self::from_loops) refuses.
+    /// A wrong number of pixels, an outline of more than two million points, and what [`from_loops`](Self::from_loops) refuses.
     pub fn from_mask(grid: Grid<2>, width: usize, height: usize, data: &[u8]) -> Result<Self, ShapeError> {
         let expected = width.saturating_mul(height);
         if data.len() != expected {
@@ -34,6 +37,12 @@ impl SignedDistance<2> {
         let mut contours = trace(width, height, value, THRESHOLD);
         if contours.is_empty() {
             return Err(ShapeError::NoArea);
+        }
+        let points: usize = contours.iter().map(Vec::len).sum();
+        if points > MOST_POINTS {
+            return Err(ShapeError::Unsupported(format!(
+                "has an outline of {points} points, more than {MOST_POINTS}; smooth the picture or make it smaller"
+            )));
         }
         let longest = width.max(height) as f64;
         let size = DVec2::new(width as f64, height as f64);

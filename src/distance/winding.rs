@@ -2,6 +2,9 @@
 
 use glam::DVec2;
 
+/// A step off the nodes in a direction that edges hardly have, the golden section's.
+const ASIDE: DVec2 = DVec2::new(1e-9, 0.618_033_988_749_894_9e-9);
+
 /// A directed edge of a contour.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
@@ -30,15 +33,18 @@ impl Region {
         Self { edges, signs: vec![1; contours.len()] }
     }
 
-    /// For every row of nodes, whether each of its `side` nodes at x = i·h lies inside, into `inside` (x fastest).
+    /// Whether each of the `side`² nodes at spacing `spacing` lies inside, x fastest.
+    ///
+    /// A node on a stroke that is no outline would be told apart from its surroundings by rounding alone. So it is
+    /// the point [`ASIDE`] of each node that is looked up; the sign of a distance smaller than that may be either.
     pub fn classify_nodes(&self, side: usize, spacing: f64) -> Vec<bool> {
         // (x, contour, direction) wherever an edge crosses the row; the lower end belongs to the edge, the upper does not.
         let mut crossings: Vec<Vec<(f64, usize, i32)>> = vec![Vec::new(); side];
         for edge in &self.edges {
             let (low, high, direction) = if edge.a.y <= edge.b.y { (edge.a, edge.b, 1) } else { (edge.b, edge.a, -1) };
-            let first = (low.y / spacing).floor().max(0.0) as usize;
+            let first = ((low.y - ASIDE.y) / spacing).floor().max(0.0) as usize;
             for (row, hits) in crossings.iter_mut().enumerate().skip(first) {
-                let y = row as f64 * spacing;
+                let y = row as f64 * spacing + ASIDE.y;
                 if y >= high.y {
                     break;
                 }
@@ -56,9 +62,8 @@ impl Region {
             winding.fill(0);
             let (mut sum, mut next) = (0, 0);
             for (i, node) in nodes.iter_mut().enumerate() {
-                let x = i as f64 * spacing;
-                while let Some(&(crossing, contour, direction)) = hits.get(next).filter(|hit| hit.0 <= x) {
-                    debug_assert!(crossing.is_finite());
+                let x = i as f64 * spacing + ASIDE.x;
+                while let Some(&(_, contour, direction)) = hits.get(next).filter(|hit| hit.0 <= x) {
                     let before: i32 = winding[contour];
                     winding[contour] += direction;
                     sum += self.signs[contour] * (i32::from(winding[contour] != 0) - i32::from(before != 0));

@@ -2,7 +2,7 @@ import { defineConfig } from "@playwright/test";
 import { chromiumFlags, findChromium } from "./scripts/lib/chromium.mjs";
 
 // Other than Vite's own, so that a running `npm start` is not mistaken for the build under test.
-const port = Number(process.env.PORT ?? 4190);
+const port = Number(process.env.THINSHELL_PORT ?? 4190);
 const browser = findChromium();
 
 export default defineConfig({

@@ -5,5 +5,8 @@ export default defineConfig({
   base: "./",
   build: { target: "es2022", sourcemap: false },
   worker: { format: "es" },
+  // Neither watch what cargo builds nor look for pages in it.
+  server: { watch: { ignored: ["**/target/**"] } },
+  optimizeDeps: { entries: ["index.html", "benches/page/index.html"] },
   test: { include: ["www/**/*.test.{ts,tsx}", "scripts/**/*.test.mjs"] },
 });

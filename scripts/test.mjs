@@ -1,7 +1,9 @@
 // `npm test`: every check, the cheap ones first, each closed by a line that counts. `npm test -- rust page` runs only
 // the steps named.
 
+import { once } from "node:events";
 import { existsSync, readFileSync, rmSync } from "node:fs";
+import { createServer } from "node:net";
 import { join } from "node:path";
 import { driverEnvironment, ensureChromium } from "./lib/chromium.mjs";
 import { heading, main, Obstacle, root, run } from "./lib/process.mjs";
@@ -72,7 +74,11 @@ const STEPS = {
     title: "page: Playwright on the built page",
     check: async () => {
       const file = report("playwright.json");
-      const env = { CHROME_PATH: await ensureChromium(), PLAYWRIGHT_JSON_OUTPUT_FILE: file };
+      const env = {
+        CHROME_PATH: await ensureChromium(),
+        PLAYWRIGHT_JSON_OUTPUT_FILE: file,
+        THINSHELL_PORT: String(await freePort()),
+      };
       const { code } = await run(...program("@playwright/test/cli.js", ["test", "--reporter=list,json"]), { env });
       const stats = read(file)?.stats;
       return reconcile(code, { passed: stats?.expected ?? 0, failed: (stats?.unexpected ?? 0) + (stats?.flaky ?? 0) });
@@ -167,6 +173,16 @@ function cargoTests({ code, text }) {
  */
 function reconcile(code, count) {
   return code !== 0 && count.failed === 0 ? { ...count, failed: 1 } : count;
+}
+
+/** A port that nobody listens on, so that two runs at once do not test each other's page. */
+async function freePort() {
+  const server = createServer().listen(0);
+  await once(server, "listening");
+  const address = server.address();
+  server.close();
+  if (address === null || typeof address === "string") throw new Error("a listening server has a port");
+  return address.port;
 }
 
 /** @param {string} name */

@@ -1,0 +1,10 @@
+//! What is true of signed distances, whatever makes them.
+
+#![cfg(not(target_arch = "wasm32"))]
+
+mod degenerate;
+mod level_set;
+mod picture;
+mod polygon;
+mod refusal;
+mod support;

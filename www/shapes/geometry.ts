@@ -178,7 +178,8 @@ export function smoothed(loop: Loop, passes: number): Loop {
   return current;
 }
 
-function averaged(loop: Loop, weight: number): Loop {
+/** Every point moved by `weight` of the way to the middle of its neighbours. */
+export function averaged(loop: Loop, weight: number): Loop {
   const size = loop.length;
   const out = new Float64Array(size);
   for (let i = 0; i < size; i += 1) {

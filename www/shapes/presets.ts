@@ -5,13 +5,13 @@
 
 import {
   about,
+  averaged,
   type Loop,
   type Point,
   resampled,
   reversed,
   SAMPLES,
   type Shape,
-  smoothed,
   transformed,
 } from "./geometry";
 
@@ -45,6 +45,13 @@ function ellipse(a: number, b: number, centre = CENTRE): Loop {
 /** r(t) about a centre. */
 function polar(radius: (t: number) => number, centre = CENTRE): Loop {
   return closed((t) => ({ x: centre.x + radius(t) * Math.cos(t), y: centre.y + radius(t) * Math.sin(t) }));
+}
+
+/** Rounds what is sharper than some √passes / 2 samples. */
+function softened(loop: Loop, passes: number): Loop {
+  let current = loop;
+  for (let pass = 0; pass < passes; pass += 1) current = averaged(current, 0.5);
+  return resampled(current, SAMPLES);
 }
 
 /** A bump of height 1 at the angle `at`, `width` wide; angles in degrees, counter-clockwise from the right. */
@@ -135,7 +142,7 @@ function star(points: number, radius: number, depth: number): Loop {
 function leaf(bend: number, lobes: number): Loop {
   return closed((t) => {
     const x = 0.29 * Math.cos(t);
-    const y = 0.15 * Math.sin(t) * (1 - 0.55 * Math.cos(t)) * (1 + lobes * Math.cos(5 * t));
+    const y = 0.15 * Math.sin(t) * (1 - 0.5 * Math.cos(t)) * (1 + lobes * Math.cos(5 * t));
     return { x: 0.5 + x, y: 0.5 + y + bend * (x * x - 0.03) };
   });
 }
@@ -146,7 +153,7 @@ function heart(): Loop {
     y: 0.52 + 0.0165 * (13 * Math.cos(t) - 5 * Math.cos(2 * t) - 2 * Math.cos(3 * t) - Math.cos(4 * t)),
   }));
   // The formula has two cusps, which no grid resolves.
-  return smoothed(pointed, 60);
+  return softened(pointed, 120);
 }
 
 /** A smooth closed curve through the points (Catmull–Rom), counter-clockwise when they are. */
@@ -165,10 +172,11 @@ function through(points: readonly Point[]): Loop {
 
 /** Half the outline of a fish, from the notch of its tail to its nose: along the axis, off the axis. */
 const FISH_BACK: readonly (readonly [number, number])[] = [
-  [0.25, 0],
-  [0.29, 0.09],
-  [0.23, 0.085],
-  [0.15, 0.04],
+  [0.262, 0],
+  [0.275, 0.055],
+  [0.262, 0.105],
+  [0.21, 0.1],
+  [0.15, 0.05],
   [0.05, 0.085],
   [-0.08, 0.115],
   [-0.2, 0.085],
@@ -182,12 +190,11 @@ function fish(sway: number): Loop {
     .slice(1)
     .reverse()
     .map(({ x, y }) => ({ x, y: -y }));
-  return through(
-    [...upper, ...lower].map(({ x, y }) => ({
-      x: 0.5 + x,
-      y: 0.5 + y + sway * Math.sin(9 * (x + 0.1)) * (x + 0.45),
-    })),
-  );
+  const swaying = [...upper, ...lower].map(({ x, y }) => ({
+    x: 0.5 + x,
+    y: 0.5 + y + sway * Math.sin(7 * (x + 0.15)) * (x + 0.5),
+  }));
+  return softened(through(swaying), 16);
 }
 
 /** A palm with fingers at the given angles, degrees. */
@@ -212,7 +219,7 @@ function hand(angles: readonly number[], length: number): Loop {
     x: palm.x + 0.15 * Math.cos(angle * DEGREE),
     y: palm.y + 0.16 * Math.sin(angle * DEGREE),
   }));
-  return through([...fingers, ...wrist]);
+  return softened(through([...fingers, ...wrist]), 22);
 }
 
 function head(ears: number, width: number, lean: number): Loop {
@@ -236,14 +243,14 @@ export const PRESETS: readonly Preset[] = [
     [polar((t) => 0.21 * (1 + 0.16 * Math.cos(2 * t + 0.6) + 0.12 * Math.sin(3 * t)))],
     [polar((t) => 0.22 * (1 + 0.2 * Math.cos(2 * t + 1.5) + 0.1 * Math.cos(4 * t)))],
   ),
-  pair("leaf", "Leaf → lobed leaf", [leaf(0, 0)], [leaf(1.6, 0.16)]),
+  pair("leaf", "Leaf → lobed leaf", [leaf(0, 0)], [softened(leaf(1.4, 0.11), 45)]),
   pair(
     "letters",
     "L → C",
     [ribbon(elbow({ x: 0.36, y: 0.72 }, { x: 0.36, y: 0.3 }, { x: 0.68, y: 0.3 }, 0.11), () => 0.06)],
     [ribbon(arc(0.2, 55, 305, { x: 0.52, y: 0.5 }), () => 0.06)],
   ),
-  pair("flower", "Long flower → short circle", [star(7, 0.22, 0.22)], [ellipse(0.22, 0.22)]),
+  pair("flower", "Long flower → short circle", [star(7, 0.22, 0.21)], [ellipse(0.22, 0.22)]),
   pair(
     "ring",
     "Ring → shifted ring",
@@ -251,8 +258,8 @@ export const PRESETS: readonly Preset[] = [
     [ellipse(0.31, 0.22), reversed(ellipse(0.09, 0.11, { x: 0.59, y: 0.5 }))],
   ),
   pair("fish", "Fish → swimming fish", [fish(0)], [fish(0.09)]),
-  pair("hand", "Hand → spread hand", [hand([8, 58, 96, 134], 0.07)], [hand([-14, 46, 94, 142], 0.13)]),
-  pair("ears", "Cat → rabbit", [head(0.095, 17, -6)], [head(0.18, 15, 10)]),
+  pair("hand", "Hand → spread hand", [hand([2, 52, 96, 140], 0.07)], [hand([-18, 44, 96, 148], 0.13)]),
+  pair("ears", "Cat → rabbit", [head(0.095, 17, -6)], [head(0.18, 17, 6)]),
   pair(
     "heart",
     "Heart → drop",

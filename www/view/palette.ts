@@ -11,7 +11,7 @@ export type Rgb = readonly [number, number, number];
 const STEPS = 360;
 
 /** Chroma that stays inside sRGB all the way round at the lightnesses used below. */
-const CHROMA = 0.115;
+const CHROMA = 0.104;
 const SWING = 0.07;
 
 /** OKLab to gamma-coded sRGB, each channel 0 to 1 when inside the gamut. */
@@ -73,7 +73,8 @@ export type Theme = {
   readonly cycle: readonly string[];
 };
 
-const CYCLES = { light: cycle(0.62), dark: cycle(0.74) };
+/** The scale for either background. */
+export const CYCLES = { light: cycle(0.62), dark: cycle(0.74) };
 
 /** Reads the custom properties of style.css, so that canvases follow light and dark like the rest of the page. */
 export function theme(): Theme {

@@ -1,0 +1,36 @@
+import { expect, test } from "vitest";
+import { arcLengthParts, blended } from "./curve";
+
+const SQUARE = Float64Array.of(0.8, 0.2, 0.8, 0.4, 0.6, 0.4, 0.6, 0.2);
+
+test("arc length runs evenly from the rightmost point", () => {
+  expect([...arcLengthParts([SQUARE])[0]]).toEqual([0, 0.25, 0.5, 0.75].map((part) => expect.closeTo(part, 12)));
+});
+
+test("a point keeps its part whichever way and from wherever the loop is listed", () => {
+  const circle = Array.from({ length: 40 }, (_, i) => [
+    0.5 + 0.3 * Math.cos((Math.PI * i) / 20),
+    0.5 + 0.2 * Math.sin((Math.PI * i) / 20),
+  ]);
+  const parts = new Map(circle.map((point, i) => [point, arcLengthParts([Float64Array.from(circle.flat())])[0][i]]));
+  const other = [...circle.slice(7), ...circle.slice(0, 7)].reverse();
+  const again = arcLengthParts([Float64Array.from(other.flat())])[0];
+  other.forEach((point, i) => {
+    expect(again[i]).toBeCloseTo(parts.get(point) ?? Number.NaN, 12);
+  });
+});
+
+test("loops follow one another, longer ones first, and share the whole by length", () => {
+  const small = SQUARE.map((value) => value / 3);
+  const [a, b] = arcLengthParts([small, SQUARE]);
+  expect(b[0]).toBe(0);
+  expect(a[0]).toBeCloseTo(0.75, 12);
+});
+
+test("the ends of a blend are its two arrays", () => {
+  const from = Float64Array.of(0, 1);
+  const to = Float64Array.of(1, 3);
+  expect([...blended(from, to, 0)]).toEqual([0, 1]);
+  expect(blended(from, to, 1)).toBe(to);
+  expect([...blended(from, to, 0.25)]).toEqual([0.25, 1.5]);
+});

@@ -16,9 +16,6 @@ pub enum Error {
     /// An array with a NaN or an infinity.
     #[error("{name} has a value that is not finite at position {position}; replace or remove it")]
     NotFinite { name: &'static str, position: usize },
-    /// A deformation that folds: no energy is defined there.
-    #[error("the deformation folds (least determinant {0:.3e}); energies are finite only where it is positive")]
-    Folded(f64),
 }
 
 /// What is wrong with one shape. Reads on after "the reference …".

@@ -1,10 +1,20 @@
+pub mod align;
 pub mod assemble;
+pub mod cascade;
 pub mod contour;
 pub mod distance;
 pub mod energy;
 pub mod error;
 pub mod field;
 pub mod grid;
+pub mod metric;
+pub mod minimize;
+pub mod prolongation;
 pub mod quadrature;
+pub mod ready;
+pub mod report;
+pub mod settings;
 pub mod small;
 pub mod stencil;
+#[cfg(target_arch = "wasm32")]
+mod web;

@@ -3,15 +3,13 @@
 //! The files in `fixtures/` carry their conventions inside (key `conventions`); each term's energy is to agree to
 //! 1e-10 relative, each gradient entry to 1e-9 absolute.
 
-mod common;
-
-use common::ready;
 use serde::Deserialize;
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
 use thinshell::energy::{BendingModel, Cutoff, Energies, Functional, Material};
 use thinshell::field::quadratic_fit;
 use thinshell::grid::Grid;
+use thinshell::ready::ready;
 use thinshell::small::{F64x2, Scalar};
 
 #[derive(Deserialize)]

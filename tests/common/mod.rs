@@ -1,13 +1,67 @@
-//! What several test files share.
-#![allow(dead_code, reason = "each test file is a crate of its own and uses a part")]
+//! Shapes by formula, for tests, benchmarks and examples.
+#![allow(dead_code, reason = "each user takes some of the shapes")]
 
-use std::pin::pin;
-use std::task::{Context, Poll, Waker};
+use glam::DVec2;
+use std::f64::consts::TAU;
 
-/// The value of a future that never waits, as all of the CPU's are.
-pub fn ready<F: Future>(future: F) -> F::Output {
-    match pin!(future).poll(&mut Context::from_waker(Waker::noop())) {
-        Poll::Ready(value) => value,
-        Poll::Pending => panic!("a CPU computation waited for something"),
+/// r(θ) around `centre`, turned by `angle`, at `count` points.
+pub fn polar(centre: [f64; 2], angle: f64, count: usize, radius: impl Fn(f64) -> f64) -> Vec<DVec2> {
+    (0..count)
+        .map(|k| {
+            let theta = TAU * k as f64 / count as f64;
+            DVec2::from(centre) + radius(theta) * DVec2::from_angle(theta + angle)
+        })
+        .collect()
+}
+
+pub fn circle(centre: [f64; 2], radius: f64) -> Vec<DVec2> {
+    polar(centre, 0.0, 256, |_| radius)
+}
+
+pub fn ellipse(centre: [f64; 2], a: f64, b: f64) -> Vec<DVec2> {
+    (0..512)
+        .map(|k| {
+            let (sin, cos) = (TAU * k as f64 / 512.0).sin_cos();
+            DVec2::new(centre[0] + a * cos, centre[1] + b * sin)
+        })
+        .collect()
+}
+
+/// A star with soft tips.
+pub fn star(centre: [f64; 2], radius: f64, tips: u32, depth: f64, angle: f64) -> Vec<DVec2> {
+    polar(centre, angle, 512, |theta| radius * (1.0 + depth * (f64::from(tips) * theta).cos()))
+}
+
+/// A lobed leaf: one long lobe, two to the sides, a notch at the stalk.
+pub fn leaf(centre: [f64; 2], size: f64, lobes: f64, angle: f64) -> Vec<DVec2> {
+    polar(centre, angle, 512, |theta| {
+        size * (1.0 + 0.3 * theta.cos() + lobes * (3.0 * theta).cos() + 0.08 * (5.0 * theta).cos())
+    })
+}
+
+/// SplitMix64: a small seeded generator, so that the same pairs come out everywhere.
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
     }
+
+    /// Uniform in low..high.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// A smooth closed curve: a circle of about `radius` with random harmonics 2 to 5.
+pub fn blob(random: &mut Random, centre: [f64; 2], radius: f64) -> Vec<DVec2> {
+    let harmonics: Vec<[f64; 3]> =
+        (2..6).map(|k| [f64::from(k), random.between(0.0, 0.3) / f64::from(k), random.between(0.0, TAU)]).collect();
+    polar(centre, 0.0, 512, |theta| {
+        radius * (1.0 + harmonics.iter().map(|[k, size, phase]| size * (k * theta + phase).cos()).sum::<f64>())
+    })
 }

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::winding::{Edge, Region, Strips};
+use crate::error::ShapeError;
 
 /// Points closer than this are one: coordinates are of order one and rounded to 1e-16, crossings to a little more.
 pub(super) const COINCIDENT: f64 = 1e-12;
@@ -10,12 +11,19 @@ pub(super) const COINCIDENT: f64 = 1e-12;
 /// How far from a piece its two sides are looked at. Strips thinner than this count as lines.
 const ASIDE: f64 = 1e-9;
 
+/// More crossings than any drawing has; their number may grow with the square of the number of points.
+const MOST_CUTS: usize = 500_000;
+
 /// The region that closed contours enclose, and the pieces of its outline in the order of the contours.
 ///
 /// A contour that lies wholly inside an odd number of others is a hole, any other a body; see [`Region`].
-pub(super) fn outline(contours: &[Vec<DVec2>]) -> (Region, Vec<[DVec2; 2]>) {
+///
+/// # Errors
+///
+/// Contours that cross hundreds of thousands of times.
+pub(super) fn outline(contours: &[Vec<DVec2>]) -> Result<(Region, Vec<[DVec2; 2]>), ShapeError> {
     let mut region = Region::of_contours(contours);
-    let Some(cuts) = contacts(&region.edges, contours) else {
+    let Some(cuts) = contacts(&region.edges, contours)? else {
         // Simple, disjoint contours: nesting alternates, so every edge separates inside from outside.
         if contours.len() > 1 {
             let strips = Strips::new(&region);
@@ -30,7 +38,7 @@ pub(super) fn outline(contours: &[Vec<DVec2>]) -> (Region, Vec<[DVec2; 2]>) {
             region.signs = signs;
         }
         let segments = region.edges.iter().map(|edge| [edge.a, edge.b]).collect();
-        return (region, segments);
+        return Ok((region, segments));
     };
 
     let pieces = pieces(&region.edges, cuts);
@@ -45,12 +53,11 @@ pub(super) fn outline(contours: &[Vec<DVec2>]) -> (Region, Vec<[DVec2; 2]>) {
         .map(|piece| [piece.a, piece.b])
         .collect();
     region.signs = signs;
-    (region, segments)
+    Ok((region, segments))
 }
 
-/// The edges cut at their cuts, grouped by contour; pieces too short to have sides are left out.
-fn pieces(edges: &[Edge], mut cuts: Vec<(u32, f64)>) -> Vec<Edge> {
-    cuts.sort_unstable_by(|left, right| left.0.cmp(&right.0).then(left.1.total_cmp(&right.1)));
+/// The edges cut at their sorted cuts, grouped by contour; pieces too short to have sides are left out.
+fn pieces(edges: &[Edge], cuts: Vec<(u32, f64)>) -> Vec<Edge> {
     let mut cuts = cuts.into_iter().peekable();
     let mut pieces = Vec::with_capacity(edges.len() + cuts.len());
     for (number, edge) in edges.iter().enumerate() {
@@ -112,8 +119,8 @@ fn signs(strips: &Strips, pieces: &[Edge], count: usize) -> Vec<i32> {
         .collect()
 }
 
-/// Where edges are to be cut, as (edge, parameter); `None` if the contours are simple and nowhere touch.
-fn contacts(edges: &[Edge], contours: &[Vec<DVec2>]) -> Option<Vec<(u32, f64)>> {
+/// Where edges are to be cut, as sorted (edge, parameter); `None` if the contours are simple and nowhere touch.
+fn contacts(edges: &[Edge], contours: &[Vec<DVec2>]) -> Result<Option<Vec<(u32, f64)>>, ShapeError> {
     let mut starts = Vec::with_capacity(contours.len());
     let mut total = 0;
     for points in contours {
@@ -136,8 +143,19 @@ fn contacts(edges: &[Edge], contours: &[Vec<DVec2>]) -> Option<Vec<(u32, f64)>> 
         touching |= contact.touching;
         cuts.extend(contact.on_first.into_iter().flatten().map(|t| (first as u32, t)));
         cuts.extend(contact.on_second.into_iter().flatten().map(|t| (second as u32, t)));
+        // Pairs that share several buckets come several times; a few is what they do on average.
+        cuts.len() <= 4 * MOST_CUTS
     });
-    touching.then_some(cuts)
+    let complete = cuts.len() <= 4 * MOST_CUTS;
+    cuts.sort_unstable_by(|left, right| left.0.cmp(&right.0).then(left.1.total_cmp(&right.1)));
+    cuts.dedup();
+    if !complete || cuts.len() > MOST_CUTS {
+        return Err(ShapeError::Unsupported(format!(
+            "crosses itself hundreds of thousands of times (at most {} are handled); draw a simpler curve",
+            MOST_CUTS / 2
+        )));
+    }
+    Ok(touching.then_some(cuts))
 }
 
 /// How two edges meet: the parameters of their interior points where they do.
@@ -181,8 +199,8 @@ fn on_interior(edge: &Edge, point: DVec2) -> Option<f64> {
 }
 
 /// Calls `visit` with every pair of edges that could meet, found by sorting them into square buckets.
-/// A pair that shares several buckets is visited as often.
-fn for_close_pairs(edges: &[Edge], mut visit: impl FnMut(usize, usize)) {
+/// A pair that shares several buckets is visited as often. `visit` tells whether to go on.
+fn for_close_pairs(edges: &[Edge], mut visit: impl FnMut(usize, usize) -> bool) {
     let (low, high) = edges
         .iter()
         .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), edge| (low.min(edge.a), high.max(edge.a)));
@@ -229,7 +247,9 @@ fn for_close_pairs(edges: &[Edge], mut visit: impl FnMut(usize, usize)) {
         let members = &members[starts[bucket]..starts[bucket + 1]];
         for (position, &first) in members.iter().enumerate() {
             for &second in &members[position + 1..] {
-                visit(first as usize, second as usize);
+                if !visit(first as usize, second as usize) {
+                    return;
+                }
             }
         }
     }

@@ -20,11 +20,12 @@ impl SignedDistance<2> {
     /// # Errors
     ///
     /// No loop, fewer than three different points, a coordinate that is not finite, less than
-    /// [`CLEARANCE`](super::CLEARANCE) cells to the border, no area, or no node of the grid inside.
+    /// [`CLEARANCE`](super::CLEARANCE) cells to the border, no area, no node of the grid inside, or more than a
+    /// quarter of a million crossings.
     pub fn from_loops(grid: Grid<2>, loops: &[Vec<DVec2>]) -> Result<Self, ShapeError> {
         let contours = clean(loops)?;
         check_box(grid, &contours)?;
-        let (region, segments) = outline(&contours);
+        let (region, segments) = outline(&contours)?;
         Self::of_region(grid, &region, &segments)
     }
 

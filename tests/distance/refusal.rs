@@ -5,7 +5,7 @@ use thinshell::distance::SignedDistance;
 use thinshell::error::ShapeError;
 use thinshell::grid::Grid;
 
-use crate::support::{CENTRE, from_loops, rectangle};
+use crate::support::{CENTRE, from_loops, rectangle, regular};
 
 fn refusal(loops: &[Vec<DVec2>]) -> ShapeError {
     SignedDistance::from_loops(Grid::new(64), loops).err().unwrap()
@@ -26,6 +26,10 @@ fn loops_that_are_no_shape_are_refused_with_the_reason() {
     }
     let line = vec![DVec2::new(0.2, 0.3), DVec2::new(0.8, 0.6), DVec2::new(0.4, 0.4)];
     assert_eq!(refusal(&[line]), ShapeError::NoArea);
+    // A star polygon every stroke of which crosses almost every other.
+    let tangle: Vec<_> = regular(1601, CENTRE, 0.4);
+    let tangle = (0..1601).map(|k| tangle[800 * k % 1601]).collect();
+    assert!(matches!(refusal(&[tangle]), ShapeError::Unsupported(_)));
     assert_eq!(refusal(&[rectangle([0.501, 0.501], [0.505, 0.505])]), ShapeError::TooSmall { cells: 64 });
 }
 

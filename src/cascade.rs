@@ -5,7 +5,7 @@ use crate::assemble::{Assembler, CpuAssembler, Evaluation};
 use crate::distance::SignedDistance;
 use crate::error::Error;
 use crate::grid::Grid;
-use crate::minimize::{Minimizer, Ncg, Progress, Stop};
+use crate::minimize::{Minimizer, Ncg, Newton, Progress, Stop};
 use crate::prolongation::prolongate;
 use crate::settings::{Alignment, MinimizerKind, Settings};
 
@@ -31,6 +31,7 @@ struct Level<const D: usize> {
 }
 
 enum AnyMinimizer<const D: usize> {
+    Newton(Newton<D>),
     Ncg(Ncg<D>),
 }
 
@@ -114,6 +115,7 @@ impl<const D: usize> Cascade<D> {
     /// u = φ − x at the nodes of the current level.
     pub fn displacement(&self) -> &[f64] {
         match &self.level.minimizer {
+            AnyMinimizer::Newton(minimizer) => minimizer.displacement(),
             AnyMinimizer::Ncg(minimizer) => minimizer.displacement(),
         }
     }
@@ -154,6 +156,7 @@ impl<const D: usize> Level<D> {
 
     async fn step(&mut self) -> Progress {
         match &mut self.minimizer {
+            AnyMinimizer::Newton(minimizer) => minimizer.step(&mut self.assembler).await,
             AnyMinimizer::Ncg(minimizer) => minimizer.step(&mut self.assembler).await,
         }
     }
@@ -162,9 +165,8 @@ impl<const D: usize> Level<D> {
 impl<const D: usize> AnyMinimizer<D> {
     fn new(settings: &Settings, grid: Grid<D>, displacement: Vec<f64>) -> Self {
         match settings.minimizer {
-            MinimizerKind::Ncg | MinimizerKind::Newton => {
-                Self::Ncg(Ncg::new(grid, displacement, settings.sobolev, settings.tolerance))
-            }
+            MinimizerKind::Newton => Self::Newton(Newton::new(grid, displacement, settings.tolerance)),
+            MinimizerKind::Ncg => Self::Ncg(Ncg::new(grid, displacement, settings.sobolev, settings.tolerance)),
         }
     }
 }

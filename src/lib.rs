@@ -9,6 +9,7 @@ pub mod field;
 pub mod grid;
 pub mod metric;
 pub mod minimize;
+pub mod multigrid;
 pub mod prolongation;
 pub mod quadrature;
 pub mod ready;

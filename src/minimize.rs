@@ -3,8 +3,10 @@
 
 mod line_search;
 mod ncg;
+mod newton;
 
 pub use ncg::Ncg;
+pub use newton::Newton;
 
 use crate::assemble::{Assembler, Evaluation};
 use std::fmt;

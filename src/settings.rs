@@ -83,7 +83,7 @@ impl Default for Settings {
             finest: 7,
             halving: true,
             alignment: Alignment::Similarity,
-            minimizer: MinimizerKind::Ncg,
+            minimizer: MinimizerKind::Newton,
             sobolev: 0.5,
             tolerance: 1e-5,
         }

@@ -8,7 +8,7 @@ pub const MAX_NEIGHBOURS: usize = 27;
 /// One D×D block for each node and each of its 3^D neighbours (itself included), f32.
 ///
 /// f32 is enough because the operator only serves to find a direction to a relative 0.1 or so; energies and
-/// gradients stay f64. Blocks of neighbours beyond the grid are zero.
+/// gradients stay f32. Blocks of neighbours beyond the grid are zero.
 #[derive(Clone)]
 pub struct StencilOperator<const D: usize> {
     grid: Grid<D>,

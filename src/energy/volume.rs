@@ -96,5 +96,5 @@ fn planar_curvature<S: Scalar, const D: usize>(
     curvature[0][1][0][0] += w * (-p[1] + cross[0][1] - cross[1][0] + m[1]);
     curvature[0][1][0][1] += w * (p[0] - m[0]);
     curvature[0][1][1][0] += w * (m[2] - p[2]);
-    curvature[0][1][1][1] += w * (p[1] - cross[0][1] + cross[1][0] - m[1]);
+    curvature[0][1][1][1] += w * (p[1] + cross[0][1] - cross[1][0] - m[1]);
 }

@@ -1,0 +1,148 @@
+//! The default minimiser: projected Gauss–Newton, each system solved loosely by multigrid.
+
+use super::{Decrease, Minimizer, Progress, Stop, inner};
+use crate::assemble::{Assembler, Evaluation};
+use crate::grid::Grid;
+use crate::multigrid::Multigrid;
+
+/// Iterations over which the relative decrease is judged.
+const WINDOW: usize = 3;
+const MAX_ITERATIONS: usize = 200;
+/// The linear system is solved to this relative residual: a more exact direction of an inexact model does not pay.
+const FORCING: f64 = 0.1;
+const MAX_LINEAR_ITERATIONS: usize = 40;
+/// Sufficient decrease, as a share of the slope.
+const ARMIJO: f64 = 1e-4;
+/// Halvings of a step before the direction is given up for a shorter, more cautious one.
+const MAX_HALVINGS: usize = 6;
+/// Levenberg shifts, in units of the mean diagonal entry; none at first.
+const FIRST_SHIFT: f32 = 1e-3;
+const LAST_SHIFT: f32 = 1e4;
+
+/// Solves (H + s·I) d = −∇E, H the positive semi-definite curvature, and goes along d as far as the energy falls.
+pub struct Newton<const D: usize> {
+    multigrid: Multigrid<D>,
+    displacement: Vec<f64>,
+    trial: Vec<f64>,
+    /// −∇E.
+    descent: Vec<f64>,
+    direction: Vec<f64>,
+    shift: f32,
+    decrease: Decrease,
+    progress: Option<Progress>,
+}
+
+impl<const D: usize> Newton<D> {
+    /// `tolerance` is the relative decrease over three iterations below which the minimiser stops.
+    pub fn new(grid: Grid<D>, displacement: Vec<f64>, tolerance: f64) -> Self {
+        let zero = vec![0.0; displacement.len()];
+        Self {
+            multigrid: Multigrid::new(grid),
+            displacement,
+            trial: zero.clone(),
+            descent: zero.clone(),
+            direction: zero,
+            shift: 0.0,
+            decrease: Decrease::new(WINDOW, tolerance),
+            progress: None,
+        }
+    }
+
+    /// Adds to every diagonal entry.
+    fn add_to_diagonal(&mut self, amount: f32) {
+        let operator = self.multigrid.operator_mut();
+        let centre = crate::stencil::StencilOperator::<D>::CENTRE;
+        for node in 0..operator.grid().node_count() {
+            let block = operator.block_mut(node, centre);
+            for k in 0..D {
+                block[k * D + k] += amount;
+            }
+        }
+    }
+
+    fn mean_diagonal(&mut self) -> f32 {
+        let operator = self.multigrid.operator_mut();
+        let centre = crate::stencil::StencilOperator::<D>::CENTRE;
+        let nodes = operator.grid().node_count();
+        let sum: f64 = (0..nodes)
+            .map(|node| {
+                let block = operator.block_mut(node, centre);
+                (0..D).map(|k| f64::from(block[k * D + k])).sum::<f64>()
+            })
+            .sum();
+        (sum / (nodes * D) as f64) as f32
+    }
+
+    /// Halves the step until the energy falls enough; none if it does not.
+    async fn backtrack(&mut self, assembler: &mut impl Assembler<D>, value: f64) -> (usize, Option<(f64, Evaluation)>) {
+        let slope = -inner(&self.descent, &self.direction);
+        if !(slope < 0.0) {
+            return (0, None);
+        }
+        let mut step = 1.0;
+        for halvings in 0..=MAX_HALVINGS {
+            for (t, (u, d)) in self.trial.iter_mut().zip(self.displacement.iter().zip(&self.direction)) {
+                *t = u + step * d;
+            }
+            let evaluation = assembler.energy(&self.trial).await;
+            if evaluation.total() <= value + ARMIJO * step * slope {
+                return (halvings + 1, Some((step, evaluation)));
+            }
+            step *= 0.5;
+        }
+        (MAX_HALVINGS + 1, None)
+    }
+}
+
+impl<const D: usize> Minimizer<D> for Newton<D> {
+    async fn step(&mut self, assembler: &mut impl Assembler<D>) -> Progress {
+        if let Some(progress) = self.progress
+            && progress.stop.is_some()
+        {
+            return progress;
+        }
+        let operator = self.multigrid.operator_mut();
+        let evaluation = assembler.curvature(&self.displacement, &mut self.descent, operator).await;
+        self.descent.iter_mut().for_each(|g| *g = -*g);
+        let mut progress = self.progress.unwrap_or(Progress { evaluation, iterations: 0, evaluations: 0, stop: None });
+        progress.evaluations += 1;
+        progress.iterations += 1;
+
+        let mean = self.mean_diagonal();
+        let mut added = 0.0;
+        loop {
+            let wanted = self.shift * mean;
+            self.add_to_diagonal(wanted - added);
+            added = wanted;
+            self.multigrid.prepare();
+            self.multigrid.solve(&self.descent, FORCING, MAX_LINEAR_ITERATIONS, &mut self.direction);
+            let (evaluations, moved) = self.backtrack(assembler, evaluation.total()).await;
+            progress.evaluations += evaluations;
+            if let Some((step, evaluation)) = moved {
+                std::mem::swap(&mut self.displacement, &mut self.trial);
+                progress.evaluation = evaluation;
+                if step == 1.0 {
+                    self.shift = if self.shift > FIRST_SHIFT { 0.1 * self.shift } else { 0.0 };
+                }
+                if self.decrease.is_small(evaluation.total()) {
+                    progress.stop = Some(Stop::Converged);
+                }
+                break;
+            }
+            self.shift = (10.0 * self.shift).max(FIRST_SHIFT);
+            if self.shift > LAST_SHIFT {
+                progress.stop = Some(Stop::NoDescent);
+                break;
+            }
+        }
+        if progress.stop.is_none() && progress.iterations >= MAX_ITERATIONS {
+            progress.stop = Some(Stop::IterationLimit);
+        }
+        self.progress = Some(progress);
+        progress
+    }
+
+    fn displacement(&self) -> &[f64] {
+        &self.displacement
+    }
+}

@@ -1,0 +1,300 @@
+//! Geometric multigrid for symmetric positive (semi-)definite stencil operators, usable by itself.
+//!
+//! Multilinear prolongation, its transpose as restriction, Galerkin coarse operators, one forward block Gauss–Seidel
+//! sweep before and one backward sweep after the coarse correction: the cycle is symmetric as a whole and so serves as
+//! a preconditioner for conjugate gradients. All in f64: the cycle only has to find a direction.
+
+mod galerkin;
+mod padded;
+
+use crate::grid::Grid;
+use crate::stencil::StencilOperator;
+use padded::Layout;
+
+/// Cells a side of the grid that is solved directly.
+const COARSEST_CELLS: usize = 2;
+
+/// A hierarchy of operators with everything a cycle needs; nothing is allocated after construction.
+pub struct Multigrid<const D: usize> {
+    /// Finest first.
+    levels: Vec<Level<D>>,
+    direct: Cholesky,
+    search: Vec<f32>,
+    image: Vec<f32>,
+    residual: Vec<f32>,
+    solution: Vec<f32>,
+}
+
+struct Level<const D: usize> {
+    operator: StencilOperator<D>,
+    layout: Layout<D>,
+    /// Inverse diagonal blocks by nodes.
+    inverse: Vec<f32>,
+    right: Vec<f32>,
+    solution: Vec<f32>,
+    residual: Vec<f32>,
+}
+
+/// How a solve went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solve {
+    pub iterations: usize,
+    /// |r| / |b| at the end, in the norm of the preconditioner.
+    pub relative_residual: f64,
+}
+
+impl<const D: usize> Multigrid<D> {
+    /// # Panics
+    /// Unless the grid has a power of two cells a side.
+    pub fn new(grid: Grid<D>) -> Self {
+        assert!(grid.cells().is_power_of_two() && grid.cells() >= COARSEST_CELLS, "grids are halved down to 2 cells");
+        let mut levels = vec![Level::new(grid)];
+        let mut cells = grid.cells();
+        while cells > COARSEST_CELLS {
+            cells /= 2;
+            levels.push(Level::new(Grid::new(cells)));
+        }
+        let zero = vec![0.0; levels[0].layout.len()];
+        let unknowns = Grid::<D>::new(COARSEST_CELLS).node_count() * D;
+        Self {
+            levels,
+            direct: Cholesky::new(unknowns),
+            search: zero.clone(),
+            image: zero.clone(),
+            residual: zero.clone(),
+            solution: zero,
+        }
+    }
+
+    /// The finest operator, to be filled before [`prepare`](Self::prepare).
+    pub fn operator_mut(&mut self) -> &mut StencilOperator<D> {
+        &mut self.levels[0].operator
+    }
+
+    /// Derives the coarse operators and the smoothers from the finest operator.
+    pub fn prepare(&mut self) {
+        for fine in 0..self.levels.len() {
+            let (finer, coarser) = self.levels.split_at_mut(fine + 1);
+            finer[fine].invert_diagonal();
+            if let Some(coarse) = coarser.first_mut() {
+                galerkin::coarsen(&finer[fine].operator, &mut coarse.operator);
+            }
+        }
+        self.direct.factor(&self.levels[self.levels.len() - 1].operator);
+    }
+
+    /// Solves A x = b by preconditioned conjugate gradients until the residual has fallen by `tolerance`;
+    /// overwrites `x`, D interleaved components a node.
+    pub fn solve(&mut self, b: &[f64], tolerance: f64, max_iterations: usize, x: &mut [f64]) -> Solve {
+        // f64 keeps its precision only near 1.
+        let scale = b.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        if scale == 0.0 {
+            x.fill(0.0);
+            return Solve { iterations: 0, relative_residual: 0.0 };
+        }
+        let layout = self.levels[0].layout;
+        layout.store(b, 1.0 / scale, &mut self.residual);
+        self.solution.fill(0.0);
+        self.precondition();
+        self.search.copy_from_slice(&self.levels[0].solution);
+        let mut square = dot(&self.residual, &self.search);
+        let first = square;
+        let mut iterations = 0;
+        while iterations < max_iterations && square > tolerance * tolerance * first {
+            layout.apply(&self.levels[0].operator, &self.search, &mut self.image);
+            let curvature = dot(&self.search, &self.image);
+            // No curvature left along the search direction: f64 is at its end, or the operator is singular there.
+            if !(curvature > 0.0 && square.is_finite()) {
+                break;
+            }
+            let step = (square / curvature) as f32;
+            add_scaled(&mut self.solution, step, &self.search);
+            add_scaled(&mut self.residual, -step, &self.image);
+            iterations += 1;
+            self.precondition();
+            let next = dot(&self.residual, &self.levels[0].solution);
+            let gamma = (next / square) as f32;
+            for (s, z) in self.search.iter_mut().zip(&self.levels[0].solution) {
+                *s = z + gamma * *s;
+            }
+            square = next;
+        }
+        layout.load(&self.solution, scale, x);
+        Solve { iterations, relative_residual: (square.max(0.0) / first).sqrt() }
+    }
+
+    /// One V-cycle on the residual, from zero, into the finest level's solution.
+    fn precondition(&mut self) {
+        self.levels[0].right.copy_from_slice(&self.residual);
+        self.cycle();
+    }
+
+    /// One V-cycle for A x = b from x = 0: `b` and `x` with D interleaved components a node.
+    pub fn v_cycle(&mut self, b: &[f64], x: &mut [f64]) {
+        let layout = self.levels[0].layout;
+        layout.store(b, 1.0, &mut self.levels[0].right);
+        self.cycle();
+        layout.load(&self.levels[0].solution, 1.0, x);
+    }
+
+    fn cycle(&mut self) {
+        let last = self.levels.len() - 1;
+        for fine in 0..last {
+            let (finer, coarser) = self.levels.split_at_mut(fine + 1);
+            let (level, coarse) = (&mut finer[fine], &mut coarser[0]);
+            level.solution.fill(0.0);
+            level.sweep_forward();
+            level.layout.residual(&level.operator, &level.right, &level.solution, &mut level.residual);
+            level.layout.restrict(&level.residual, &coarse.layout, &mut coarse.right);
+        }
+        let coarsest = &mut self.levels[last];
+        self.direct.solve(coarsest.layout, &coarsest.right, &mut coarsest.solution);
+        for fine in (0..last).rev() {
+            let (finer, coarser) = self.levels.split_at_mut(fine + 1);
+            let (level, coarse) = (&mut finer[fine], &coarser[0]);
+            level.layout.prolongate_add(&coarse.solution, &coarse.layout, &mut level.solution);
+            level.sweep_backward();
+        }
+    }
+}
+
+impl<const D: usize> Level<D> {
+    fn new(grid: Grid<D>) -> Self {
+        let layout = Layout::new(grid);
+        let zero = vec![0.0; layout.len()];
+        Self {
+            operator: StencilOperator::zero(grid),
+            layout,
+            inverse: vec![0.0; grid.node_count() * D * D],
+            right: zero.clone(),
+            solution: zero.clone(),
+            residual: zero,
+        }
+    }
+
+    fn invert_diagonal(&mut self) {
+        let blocks = self.operator.blocks().chunks_exact(StencilOperator::<D>::ROW);
+        for (row, inverse) in blocks.zip(self.inverse.chunks_exact_mut(D * D)) {
+            let centre = &row[StencilOperator::<D>::CENTRE * D * D..][..D * D];
+            let mut block = [[0.0; D]; D];
+            let trace: f64 = (0..D).map(|k| f64::from(centre[k * D + k])).sum();
+            for i in 0..D {
+                for j in 0..D {
+                    block[i][j] = f64::from(centre[i * D + j]);
+                }
+                // Keeps the inverse of a block bounded that the clipping of negative curvature left singular.
+                block[i][i] += 1e-6 * trace + f64::MIN_POSITIVE;
+            }
+            let cof = crate::small::cofactor(&block);
+            let det = crate::small::dot(&block[0], &cof[0]);
+            for i in 0..D {
+                for j in 0..D {
+                    inverse[i * D + j] = (cof[j][i] / det) as f32;
+                }
+            }
+        }
+    }
+
+    fn sweep_forward(&mut self) {
+        self.layout.sweep::<true>(&self.operator, &self.inverse, &self.right, &mut self.solution);
+    }
+
+    fn sweep_backward(&mut self) {
+        self.layout.sweep::<false>(&self.operator, &self.inverse, &self.right, &mut self.solution);
+    }
+}
+
+fn dot(a: &[f32], b: &[f32]) -> f64 {
+    // Short runs in f64 lanes, their sums in f64: as fast as f64, as exact as needed.
+    let mut total = 0.0;
+    for (x, y) in a.chunks(256).zip(b.chunks(256)) {
+        let mut sums = [0.0_f32; 8];
+        let (x8, y8) = (x.chunks_exact(8), y.chunks_exact(8));
+        let rest: f32 = x8.remainder().iter().zip(y8.remainder()).map(|(x, y)| x * y).sum();
+        for (x, y) in x8.zip(y8) {
+            for k in 0..8 {
+                sums[k] += x[k] * y[k];
+            }
+        }
+        total += f64::from(sums.iter().sum::<f32>() + rest);
+    }
+    total
+}
+
+fn add_scaled(a: &mut [f32], s: f32, b: &[f32]) {
+    for (x, y) in a.iter_mut().zip(b) {
+        *x += s * y;
+    }
+}
+
+/// The dense Cholesky factor of the coarsest operator.
+struct Cholesky {
+    unknowns: usize,
+    /// Lower triangle by rows.
+    factor: Vec<f64>,
+    vector: Vec<f64>,
+}
+
+impl Cholesky {
+    fn new(unknowns: usize) -> Self {
+        Self { unknowns, factor: vec![0.0; unknowns * unknowns], vector: vec![0.0; unknowns] }
+    }
+
+    fn factor<const D: usize>(&mut self, operator: &StencilOperator<D>) {
+        let (n, grid) = (self.unknowns, operator.grid());
+        self.factor.fill(0.0);
+        for node in 0..grid.node_count() {
+            let index = grid.node_index(node);
+            for neighbour in 0..StencilOperator::<D>::NEIGHBOURS {
+                let offset = StencilOperator::<D>::offset(neighbour);
+                let place: [isize; D] = std::array::from_fn(|k| index[k] as isize + offset[k]);
+                if place.iter().any(|&i| i < 0 || i as usize >= grid.side()) {
+                    continue;
+                }
+                let other = grid.node(place.map(|i| i as usize));
+                let block = &operator.blocks()[node * StencilOperator::<D>::ROW + neighbour * D * D..][..D * D];
+                for i in 0..D {
+                    for j in 0..D {
+                        self.factor[(node * D + i) * n + other * D + j] = f64::from(block[i * D + j]);
+                    }
+                }
+            }
+        }
+        let trace: f64 = (0..n).map(|k| self.factor[k * n + k]).sum();
+        // The rigid motions that nothing resists have no curvature; f64 rounding would decide their sign.
+        let floor = 1e-6 * trace / n as f64 + f64::MIN_POSITIVE;
+        for column in 0..n {
+            for row in column..n {
+                let mut sum = self.factor[row * n + column];
+                for k in 0..column {
+                    sum -= self.factor[row * n + k] * self.factor[column * n + k];
+                }
+                self.factor[row * n + column] = if row == column {
+                    (sum + floor).max(floor).sqrt()
+                } else {
+                    sum / self.factor[column * n + column]
+                };
+            }
+        }
+    }
+
+    fn solve<const D: usize>(&mut self, layout: Layout<D>, right: &[f32], solution: &mut [f32]) {
+        let n = self.unknowns;
+        layout.load(right, 1.0, &mut self.vector);
+        for row in 0..n {
+            let mut sum = self.vector[row];
+            for k in 0..row {
+                sum -= self.factor[row * n + k] * self.vector[k];
+            }
+            self.vector[row] = sum / self.factor[row * n + row];
+        }
+        for row in (0..n).rev() {
+            let mut sum = self.vector[row];
+            for k in row + 1..n {
+                sum -= self.factor[k * n + row] * self.vector[k];
+            }
+            self.vector[row] = sum / self.factor[row * n + row];
+        }
+        layout.store(&self.vector, 1.0, solution);
+    }
+}

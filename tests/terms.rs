@@ -1,0 +1,324 @@
+//! Every energy density against its own derivatives, in both dimensions, by one checker.
+
+mod common;
+
+use common::Random;
+use thinshell::energy::{
+    Bending, CURVATURE, GRADIENT, Material, MeanCurvature, Membrane, Mismatch, Point, ReferenceJet, Response,
+    TemplateJet, Term, VALUE, Volume,
+};
+use thinshell::small::{F64x2, Scalar};
+
+const MATERIAL: Material = Material { lambda: 2.0, mu: 0.25 };
+
+/// A template whose distance and Hessian are quadratic functions of y, with exact derivatives.
+struct Template<const D: usize> {
+    value: [f64; 8],
+    hessian: [[[f64; 8]; 3]; 3],
+    y_slot: usize,
+}
+
+impl<const D: usize> Template<D> {
+    fn random(random: &mut Random) -> Self {
+        let mut coefficients = || std::array::from_fn(|_| random.between(-1.0, 1.0));
+        let mut hessian = [[[0.0; 8]; 3]; 3];
+        for a in 0..D {
+            for b in a..D {
+                hessian[a][b] = coefficients();
+                hessian[b][a] = hessian[a][b];
+            }
+        }
+        Self { value: coefficients(), hessian, y_slot: D - 1 }
+    }
+
+    /// c₀ + Σ c_{1+k} y_k + Σ c_{4+k} y_k², and its gradient.
+    fn quadratic(c: &[f64; 8], y: &[f64; D]) -> (f64, [f64; D]) {
+        let value = c[0] + (0..D).map(|k| c[1 + k] * y[k] + c[4 + k] * y[k] * y[k]).sum::<f64>();
+        (value, std::array::from_fn(|k| c[1 + k] + 2.0 * c[4 + k] * y[k]))
+    }
+
+    fn point(&self, slots: [[f64; D]; D], reference: ReferenceJet<f64, D>) -> Point<f64, D> {
+        let y = &slots[self.y_slot];
+        let (distance, gradient) = Self::quadratic(&self.value, y);
+        let mut hessian = [[0.0; D]; D];
+        let mut hessian_slope = [[[0.0; D]; D]; D];
+        for a in 0..D {
+            for b in 0..D {
+                let (value, slope) = Self::quadratic(&self.hessian[a][b], y);
+                hessian[a][b] = value;
+                for k in 0..D {
+                    hessian_slope[k][a][b] = slope[k];
+                }
+            }
+        }
+        Point { slots, reference, template: TemplateJet { distance, gradient, hessian, hessian_slope } }
+    }
+}
+
+fn random_slots<const D: usize>(random: &mut Random) -> [[f64; D]; D] {
+    // Near the identity, so that no determinant changes sign.
+    std::array::from_fn(|p| std::array::from_fn(|a| random.between(-0.3, 0.3) + if p == a { 1.0 } else { 0.0 }))
+}
+
+fn random_reference<const D: usize>(random: &mut Random) -> ReferenceJet<f64, D> {
+    let mut curvature = [[0.0; D]; D];
+    for a in 0..D {
+        for b in a..D {
+            curvature[a][b] = random.between(-1.0, 1.0);
+            curvature[b][a] = curvature[a][b];
+        }
+    }
+    ReferenceJet {
+        distance: random.between(-0.2, 0.2),
+        curvature,
+        off_tangential: random.between(0.0, 1.0),
+        trace: random.between(-1.0, 1.0),
+    }
+}
+
+fn moved<const D: usize>(slots: &[[f64; D]; D], step: f64, direction: &[[f64; D]; D]) -> [[f64; D]; D] {
+    std::array::from_fn(|p| std::array::from_fn(|a| slots[p][a] + step * direction[p][a]))
+}
+
+fn pair<const D: usize>(a: &[[f64; D]; D], b: &[[f64; D]; D]) -> f64 {
+    a.iter().flatten().zip(b.iter().flatten()).map(|(x, y)| x * y).sum()
+}
+
+/// E(z + τ d) − E(z) − τ ⟨∇E, d⟩ falls like τ²: halving τ quarters it.
+fn taylor<const D: usize>(term: &impl Term<D>) {
+    let mut random = Random(7);
+    for _ in 0..20 {
+        let template = Template::<D>::random(&mut random);
+        let reference = random_reference(&mut random);
+        let slots = random_slots(&mut random);
+        let direction: [[f64; D]; D] = std::array::from_fn(|_| std::array::from_fn(|_| random.between(-1.0, 1.0)));
+        let mut response = Response::zero();
+        let value = term.add::<f64, GRADIENT>(1.0, &template.point(slots, reference), &mut response);
+        let slope = pair(&response.gradient, &direction);
+        let remainder = |step: f64| {
+            let mut unused = Response::zero();
+            let point = template.point(moved(&slots, step, &direction), reference);
+            term.add::<f64, VALUE>(1.0, &point, &mut unused) - value - step * slope
+        };
+        let (first, second) = (remainder(1e-3), remainder(5e-4));
+        if first.abs() < 1e-10 {
+            continue; // linear along this direction but for rounding
+        }
+        let order = (first / second).log2();
+        assert!((order - 2.0).abs() < 0.1, "the remainder falls with order {order}, not 2 ({first:e}, {second:e})");
+    }
+}
+
+/// The full symmetric matrix of a response's curvature.
+fn matrix<const D: usize>(response: &Response<f64, D>) -> Vec<Vec<f64>> {
+    let mut m = vec![vec![0.0; D * D]; D * D];
+    for p in 0..D {
+        for q in p..D {
+            for a in 0..D {
+                for b in 0..D {
+                    m[p * D + a][q * D + b] = response.curvature[p][q][a][b];
+                    m[q * D + b][p * D + a] = response.curvature[p][q][a][b];
+                }
+            }
+        }
+    }
+    m
+}
+
+/// No negative eigenvalue beyond rounding: the shifted matrix has a Cholesky factor.
+fn assert_semidefinite(mut m: Vec<Vec<f64>>) {
+    let n = m.len();
+    let scale: f64 = (0..n).map(|k| m[k][k]).sum::<f64>().max(1e-300);
+    for column in 0..n {
+        m[column][column] += 1e-10 * scale;
+        let pivot = m[column][column];
+        assert!(pivot > 0.0, "a negative eigenvalue: pivot {pivot:e} of trace {scale:e}");
+        let upper = m[column].clone();
+        for row in m.iter_mut().skip(column + 1) {
+            let factor = row[column] / pivot;
+            for (entry, above) in row.iter_mut().zip(&upper).skip(column) {
+                *entry -= factor * above;
+            }
+        }
+    }
+}
+
+/// Diagonal blocks are symmetric and the whole has no negative eigenvalue, also far from the identity.
+fn curvature_is_semidefinite<const D: usize>(term: &impl Term<D>) {
+    let mut random = Random(11);
+    for _ in 0..200 {
+        let template = Template::<D>::random(&mut random);
+        let squeeze = random.between(0.2, 2.0);
+        let slots = random_slots::<D>(&mut random).map(|v| v.map(|x| x * squeeze));
+        let mut response = Response::zero();
+        term.add::<f64, CURVATURE>(1.0, &template.point(slots, random_reference(&mut random)), &mut response);
+        for p in 0..D {
+            for a in 0..D {
+                for b in 0..D {
+                    let (upper, lower) = (response.curvature[p][p][a][b], response.curvature[p][p][b][a]);
+                    assert!((upper - lower).abs() < 1e-9 * (1.0 + upper.abs()), "{upper} is not {lower}");
+                }
+            }
+        }
+        assert_semidefinite(matrix(&response));
+    }
+}
+
+/// Where nothing is clipped and the residual is zero, the curvature is the derivative of the gradient.
+fn curvature_is_exact<const D: usize>(
+    term: &impl Term<D>,
+    point: impl Fn([[f64; D]; D]) -> Point<f64, D>,
+    slots: [[f64; D]; D],
+) {
+    let gradient = |slots: [[f64; D]; D]| {
+        let mut response = Response::zero();
+        term.add::<f64, GRADIENT>(1.0, &point(slots), &mut response);
+        response.gradient
+    };
+    let mut response = Response::zero();
+    term.add::<f64, CURVATURE>(1.0, &point(slots), &mut response);
+    let found = matrix(&response);
+    let step = 1e-5;
+    for q in 0..D {
+        for b in 0..D {
+            let mut direction = [[0.0; D]; D];
+            direction[q][b] = 1.0;
+            let (ahead, behind) =
+                (gradient(moved(&slots, step, &direction)), gradient(moved(&slots, -step, &direction)));
+            for p in 0..D {
+                for a in 0..D {
+                    let quotient = (ahead[p][a] - behind[p][a]) / (2.0 * step);
+                    let entry = found[p * D + a][q * D + b];
+                    assert!((entry - quotient).abs() < 1e-6 * (1.0 + entry.abs()), "{entry} is not {quotient}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn all_terms_have_second_order_taylor_remainders() {
+    taylor::<2>(&Membrane(MATERIAL));
+    taylor::<3>(&Membrane(MATERIAL));
+    taylor::<2>(&Bending);
+    taylor::<3>(&Bending);
+    taylor::<2>(&MeanCurvature);
+    taylor::<3>(&MeanCurvature);
+    taylor::<2>(&Mismatch);
+    taylor::<3>(&Mismatch);
+    taylor::<2>(&Volume(MATERIAL));
+    taylor::<3>(&Volume(MATERIAL));
+}
+
+#[test]
+fn all_curvatures_are_symmetric_without_negative_eigenvalues() {
+    curvature_is_semidefinite::<2>(&Membrane(MATERIAL));
+    curvature_is_semidefinite::<3>(&Membrane(MATERIAL));
+    curvature_is_semidefinite::<2>(&Bending);
+    curvature_is_semidefinite::<3>(&Bending);
+    curvature_is_semidefinite::<2>(&MeanCurvature);
+    curvature_is_semidefinite::<3>(&MeanCurvature);
+    curvature_is_semidefinite::<2>(&Mismatch);
+    curvature_is_semidefinite::<3>(&Mismatch);
+    curvature_is_semidefinite::<2>(&Volume(MATERIAL));
+    curvature_is_semidefinite::<3>(&Volume(MATERIAL));
+}
+
+/// Slightly and evenly stretched, both isotropic densities are convex, hence not clipped.
+fn stretched_densities_are_exact<const D: usize>() {
+    let mut random = Random(3);
+    let unused = random_reference(&mut random);
+    let template = Template::<D>::random(&mut random);
+    for _ in 0..20 {
+        let slots: [[f64; D]; D] = std::array::from_fn(|p| {
+            std::array::from_fn(|a| random.between(-0.01, 0.01) + if p == a { 1.05 } else { 0.0 })
+        });
+        curvature_is_exact(&Membrane(MATERIAL), |slots| template.point(slots, unused), slots);
+        curvature_is_exact(&Volume(MATERIAL), |slots| template.point(slots, unused), slots);
+    }
+}
+
+#[test]
+fn the_curvature_of_a_stretched_body_is_the_second_derivative() {
+    stretched_densities_are_exact::<2>();
+    stretched_densities_are_exact::<3>();
+}
+
+/// With the reference's jet equal to the template's, the residual vanishes and Gauss–Newton is exact.
+fn gauss_newton_is_exact_without_residual<const D: usize>() {
+    let mut random = Random(5);
+    for _ in 0..20 {
+        let template = Template::<D>::random(&mut random);
+        let slots = random_slots::<D>(&mut random);
+        let mut reference = random_reference(&mut random);
+        let there = template.point(slots, reference);
+        reference.distance = there.template.distance;
+        reference.trace = (0..D).map(|k| there.template.hessian[k][k]).sum();
+        for i in 0..D {
+            for j in 0..D {
+                let bent = thinshell::small::apply(&there.template.hessian, &slots[j]);
+                reference.curvature[i][j] = thinshell::small::dot(&slots[i], &bent);
+            }
+        }
+        curvature_is_exact(&Bending, |slots| template.point(slots, reference), slots);
+        curvature_is_exact(&MeanCurvature, |slots| template.point(slots, reference), slots);
+        curvature_is_exact(&Mismatch, |slots| template.point(slots, reference), slots);
+    }
+}
+
+#[test]
+fn gauss_newton_is_the_second_derivative_at_residual_zero() {
+    gauss_newton_is_exact_without_residual::<2>();
+    gauss_newton_is_exact_without_residual::<3>();
+}
+
+#[test]
+fn lanes_give_what_the_scalar_gives() {
+    fn compare<const D: usize>(term: &impl Term<D>) {
+        let mut random = Random(13);
+        let template = Template::<D>::random(&mut random);
+        let points: [Point<f64, D>; 2] =
+            std::array::from_fn(|_| template.point(random_slots(&mut random), random_reference(&mut random)));
+        let pick = |f: &dyn Fn(&Point<f64, D>) -> f64| F64x2::gather(|lane| f(&points[lane]));
+        let matrix = |f: &dyn Fn(&Point<f64, D>) -> [[f64; D]; D]| {
+            std::array::from_fn(|a| std::array::from_fn(|b| pick(&|point| f(point)[a][b])))
+        };
+        let lanes = Point {
+            slots: matrix(&|p| p.slots),
+            reference: ReferenceJet {
+                distance: pick(&|p| p.reference.distance),
+                curvature: matrix(&|p| p.reference.curvature),
+                off_tangential: pick(&|p| p.reference.off_tangential),
+                trace: pick(&|p| p.reference.trace),
+            },
+            template: TemplateJet {
+                distance: pick(&|p| p.template.distance),
+                gradient: std::array::from_fn(|a| pick(&|p| p.template.gradient[a])),
+                hessian: matrix(&|p| p.template.hessian),
+                hessian_slope: std::array::from_fn(|k| matrix(&|p| p.template.hessian_slope[k])),
+            },
+        };
+        let mut wide = Response::zero();
+        let values = term.add::<F64x2, CURVATURE>(F64x2::splat(1.0), &lanes, &mut wide);
+        for (lane, point) in points.iter().enumerate() {
+            let mut response = Response::zero();
+            assert_eq!(term.add::<f64, CURVATURE>(1.0, point, &mut response), values.lane(lane));
+            for p in 0..D {
+                for a in 0..D {
+                    assert_eq!(response.gradient[p][a], wide.gradient[p][a].lane(lane));
+                    for q in p..D {
+                        for b in 0..D {
+                            assert_eq!(response.curvature[p][q][a][b], wide.curvature[p][q][a][b].lane(lane));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    compare::<2>(&Membrane(MATERIAL));
+    compare::<2>(&Bending);
+    compare::<2>(&Volume(MATERIAL));
+    compare::<3>(&Membrane(MATERIAL));
+    compare::<3>(&Bending);
+    compare::<3>(&Volume(MATERIAL));
+}

@@ -4,16 +4,9 @@
  * Every run has a number, given by the page. An answer with an old number belongs to a cancelled run and is dropped.
  */
 
-import type { Settings, Shape, Status } from "./wasm/thinshell.js";
+import type { Curves, Settings, Shape, Status } from "./wasm/thinshell.js";
 
-export type { Settings, Shape, Status };
-
-/** Zero sets and φ(reference): closed polylines, x y x y …, domain units. */
-export type Curves = {
-  readonly reference: Float64Array[];
-  readonly template: Float64Array[];
-  readonly matched: Float64Array[];
-};
+export type { Curves, Settings, Shape, Status };
 
 export type Request =
   /** First message of a worker's life: the compiled solver, so that no worker ever needs the network. */

@@ -3,13 +3,11 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Session, Side } from "../session";
 import { Drawing } from "../shapes/draw";
 import { keyed } from "../shapes/edit";
+import { bounds } from "../shapes/geometry";
 import { Surface } from "../view/canvas";
 import { arcLengthParts } from "../view/curve";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
-
-/** Two cells of the coarsest grid: closer to the border the solver refuses a shape. */
-const KEEP_OUT = 2 / 16;
 
 const NAMES = { reference: "Reference", template: "Template" };
 
@@ -28,7 +26,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
         grip: hand.grip,
         pull: hand.pull,
         coloured: colouredLoops(session, side),
-        keepOut: KEEP_OUT,
+        tooClose: tooClose(session, side),
       }),
     );
     const hand = new Drawing({
@@ -48,6 +46,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
       session.shapes.value;
       session.match.value;
       session.phase.value;
+      session.settings.value;
       surface.invalidate();
     });
     return () => {
@@ -100,6 +99,14 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
       </div>
     </section>
   );
+}
+
+/** The solver refuses a shape within two cells of the finest grid from the border: show it before it does. */
+function tooClose(session: Session, side: Side): number | null {
+  const limit = 2 / 2 ** (session.settings.value.finest ?? 7);
+  const box = bounds(session.shapes.value[side]);
+  const distance = box ? Math.min(box.left, box.bottom, 1 - box.right, 1 - box.top) : 1;
+  return distance < limit ? limit : null;
 }
 
 /** The reference always shows its arc length; the template shows that of its partners once they are found. */

@@ -1,4 +1,4 @@
-/** Draws a sketch surface: the shape, what can be gripped, the stroke under way, the border to stay away from. */
+/** Draws a sketch surface: the shape, what can be gripped, the stroke under way. */
 
 import { type Frame, pixelX, pixelY, trace } from "./canvas";
 import { type ColouredLoop, strokeColoured } from "./curve";
@@ -17,8 +17,8 @@ export type SketchScene = {
   readonly pull: Point | null;
   /** The shape coloured by correspondence, when a match of exactly this shape is known. */
   readonly coloured: readonly ColouredLoop[] | null;
-  /** Distance from the border that shapes have to keep. */
-  readonly keepOut: number;
+  /** The distance from the border that the shape should keep and does not; null when all is well. */
+  readonly tooClose: number | null;
 };
 
 /** Radius of the grip in CSS pixels; the pointer's reach is at least this. */
@@ -27,7 +27,7 @@ export const GRIP_RADIUS = 11;
 export function drawSketch(context: CanvasRenderingContext2D, frame: Frame, colours: Theme, scene: SketchScene): void {
   const { ratio } = frame;
   const own = scene.side === "reference" ? colours.reference : colours.template;
-  drawKeepOut(context, frame, colours, scene.keepOut);
+  if (scene.tooClose !== null) drawLimit(context, frame, colours, scene.tooClose);
 
   context.beginPath();
   for (const loop of scene.shape) trace(context, frame, loop, true);
@@ -79,12 +79,13 @@ export function drawSketch(context: CanvasRenderingContext2D, frame: Frame, colo
   }
 }
 
-function drawKeepOut(context: CanvasRenderingContext2D, frame: Frame, colours: Theme, width: number): void {
+/** The line that the shape has crossed. */
+function drawLimit(context: CanvasRenderingContext2D, frame: Frame, colours: Theme, width: number): void {
   context.beginPath();
   trace(context, frame, [width, width, 1 - width, width, 1 - width, 1 - width, width, 1 - width], true);
-  context.strokeStyle = colours.grid;
-  context.lineWidth = frame.ratio;
-  context.setLineDash([3 * frame.ratio, 4 * frame.ratio]);
+  context.strokeStyle = colours.warning;
+  context.lineWidth = 1.5 * frame.ratio;
+  context.setLineDash([4 * frame.ratio, 4 * frame.ratio]);
   context.stroke();
   context.setLineDash([]);
 }

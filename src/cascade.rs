@@ -87,9 +87,26 @@ impl<const D: usize> Cascade<D> {
             let displacement = prolongate(self.grid(), self.displacement());
             let next = self.level.number + 1;
             self.level = Level::new(next, &self.settings, &self.reference, &self.template, displacement);
+            self.unfold().await;
         }
         self.progress = self.level.step().await;
         self.progress()
+    }
+
+    /// Starts this level a little nearer to the identity if its first deformation is not admissible.
+    ///
+    /// A level may end within rounding of a fold, and the interpolant's determinants are rounded differently.
+    async fn unfold(&mut self) {
+        let given = self.displacement().to_vec();
+        let mut displacement = given.clone();
+        let mut share = f64::EPSILON;
+        while !self.level.assembler.energy(&displacement).await.is_admissible() {
+            share = (4.0 * share).min(1.0);
+            displacement = given.iter().map(|u| (1.0 - share) * u).collect();
+        }
+        if share > f64::EPSILON {
+            self.level.restart(&self.settings, displacement);
+        }
     }
 
     /// The state after the last step, or at the start.

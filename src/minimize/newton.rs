@@ -17,7 +17,8 @@ const ARMIJO: f64 = 1e-4;
 const MAX_HALVINGS: usize = 6;
 /// Levenberg shifts, in units of the mean diagonal entry; none at first.
 const FIRST_SHIFT: f32 = 1e-3;
-const LAST_SHIFT: f32 = 1e4;
+/// One nearly folded cell can be this much stiffer than the mean; only its own curvature makes its step short enough.
+const LAST_SHIFT: f32 = 1e12;
 
 /// Solves (H + s·I) d = −∇E, H the positive semi-definite curvature, and goes along d as far as the energy falls.
 pub struct Newton<const D: usize> {

@@ -79,12 +79,13 @@ export class Session {
     this.solver = new Solver(module, {
       frame: (frame) => this.receive(frame),
       refused: (message) => this.fail(sentence(message)),
+      unavailable: (message) => this.fail(sentence(message)),
       crashed: (message) =>
         this.fail(
           `The solver stopped unexpectedly (${message}). Your shapes are kept; press Match to try again with a fresh one.`,
         ),
     });
-    this.rememberChanges();
+    this.rememberChanges(opened.remembered ? null : this.link());
   }
 
   isExample(side: Side): boolean {
@@ -238,8 +239,8 @@ export class Session {
     this.restarting = setTimeout(() => this.start(), RESTART_MILLIS);
   }
 
-  private rememberChanges(): void {
-    let last = this.link();
+  /** `last` is what the address and storage hold already. */
+  private rememberChanges(last: string | null): void {
     effect(() => {
       const text = this.link();
       clearTimeout(this.remembering);

@@ -155,11 +155,23 @@ export const FIELDS: readonly SettingField[] = [
     name: "align",
     label: "Start from",
     group: "Method",
-    help: "A similarity moves, turns and scales the reference onto the template first.",
-    initial: "none",
+    help: "The best similarity moves, turns and scales the reference towards the template first; the paper starts from the identity.",
+    initial: "similarity",
     options: [
-      { value: "none", label: "the identity" },
       { value: "similarity", label: "the best similarity" },
+      { value: "none", label: "the identity" },
+    ],
+  },
+  {
+    kind: "choice",
+    name: "minimizer",
+    label: "Minimiser",
+    group: "Method",
+    help: "Newton's method takes a few costly steps, the paper's conjugate gradients many cheap ones.",
+    initial: "newton",
+    options: [
+      { value: "newton", label: "projected Newton" },
+      { value: "ncg", label: "conjugate gradients" },
     ],
   },
 ];

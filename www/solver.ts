@@ -8,6 +8,8 @@ export type SolverEvents = {
   refused(message: string): void;
   /** Nothing of the page's is lost, and the next start finds a fresh worker. */
   crashed(message: string): void;
+  /** The solver could not be loaded; no start will succeed. */
+  unavailable(message: string): void;
 };
 
 export class Solver {
@@ -63,7 +65,7 @@ export class Solver {
         // Messages sent before this one wait in the worker's loop until the module is there.
         if (this.worker === worker) worker.postMessage({ kind: "load", module } satisfies Request);
       },
-      (problem) => this.events.crashed(problem instanceof Error ? problem.message : String(problem)),
+      (problem) => this.events.unavailable(problem instanceof Error ? problem.message : String(problem)),
     );
     return worker;
   }

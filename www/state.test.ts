@@ -30,7 +30,7 @@ describe("a link", () => {
   });
 
   test("carries the settings that were changed, of every kind", () => {
-    const settings = { bending: 0, finest: 6, halving: false, align: "similarity" } as const;
+    const settings = { bending: 0, finest: 6, halving: false, align: "none" } as const;
     expect(decode(encode({ ...DRAWN, settings })).settings).toEqual(settings);
   });
 
@@ -51,7 +51,7 @@ describe("a broken link", () => {
     ["v=1&reference=*", "loop 0 of the reference is damaged"],
     ["v=1&reference=", "the template is missing"],
     ["v=1&preset=star&bending=much", "Bending is “much”, but must be a number from 0 to 100"],
-    ["v=1&preset=star&align=sideways", "Start from is “sideways”, but must be one of none, similarity"],
+    ["v=1&preset=star&align=sideways", "Start from is “sideways”, but must be one of similarity, none"],
   ])("%s says what is wrong and keeps the stored shapes", (hash, why) => {
     const stored = encode({ ...DRAWN, preset: "ring" });
     const opened = open(`#${hash}`, stored);
@@ -60,7 +60,7 @@ describe("a broken link", () => {
   });
 
   test("an anchor of the page is no link", () => {
-    expect(open("#method", null)).toEqual({ saved: fallback(), problem: null });
+    expect(open("#method", null)).toEqual({ saved: fallback(), problem: null, remembered: false });
   });
 
   test("damaged storage gives the first example", () => {

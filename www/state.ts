@@ -97,7 +97,13 @@ function decodeShape(text: string | null, name: string): Shape {
   });
 }
 
-export type Opened = { readonly saved: Saved; readonly problem: string | null };
+export type Opened = {
+  readonly saved: Saved;
+  /** Why the link was not read. */
+  readonly problem: string | null;
+  /** The shapes come from the storage, so that the address does not hold them yet. */
+  readonly remembered: boolean;
+};
 
 /**
  * What the page starts with: the link, else what was stored, else the first example. A link that cannot be read is
@@ -107,14 +113,15 @@ export function open(hash: string, stored: string | null): Opened {
   const remembered = fromStorage(stored);
   const text = hash.replace(/^#/, "");
   // An anchor of the page itself, such as #method, is no link to shapes.
-  if (!text.includes("=")) return { saved: remembered, problem: null };
+  if (!text.includes("=")) return { saved: remembered, problem: null, remembered: stored !== null };
   try {
-    return { saved: decode(text), problem: null };
+    return { saved: decode(text), problem: null, remembered: false };
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
     return {
       saved: remembered,
       problem: `The link could not be read: ${why}. Your last shapes are shown instead; ask for a fresh link to see the others.`,
+      remembered: false,
     };
   }
 }

@@ -92,10 +92,11 @@ export class Surface {
   }
 
   private resize(entry: ResizeObserverEntry): void {
-    // Safari has no devicePixelContentBoxSize; there the rounded product is the best known size.
+    const { width: cssWidth, height: cssHeight } = entry.contentRect;
+    // The exact size knows how the browser rounds; Safari has none, and emulated screens report another screen's.
     const exact = entry.devicePixelContentBoxSize?.[0];
-    const width = exact?.inlineSize ?? Math.round(entry.contentRect.width * devicePixelRatio);
-    const height = exact?.blockSize ?? Math.round(entry.contentRect.height * devicePixelRatio);
+    const width = near(exact?.inlineSize, cssWidth * devicePixelRatio);
+    const height = near(exact?.blockSize, cssHeight * devicePixelRatio);
     if (width === this.canvas.width && height === this.canvas.height) return;
     this.canvas.width = width;
     this.canvas.height = height;
@@ -133,4 +134,8 @@ export function trace(
     else context.lineTo(x, y);
   }
   if (close && points.length > 0) context.closePath();
+}
+
+function near(exact: number | undefined, product: number): number {
+  return exact !== undefined && Math.abs(exact - product) <= 1 ? exact : Math.round(product);
 }

@@ -1,0 +1,93 @@
+/** The page as its users meet it: by role and name. */
+
+import { expect, type Locator, type Page } from "@playwright/test";
+
+export type Side = "Reference" | "Template";
+
+export function surface(page: Page, side: Side): Locator {
+  return page.getByRole("application", { name: `${side} shape` });
+}
+
+export function result(page: Page): Locator {
+  return page.getByRole("img", { name: "Deformed grid and matched curve" });
+}
+
+export function button(page: Page, name: string): Locator {
+  return page.getByRole("button", { name, exact: true });
+}
+
+/** A machine-readable value of the status; waits until it is there. */
+export async function value(page: Page, name: string): Promise<number> {
+  const text = await page.getByRole("status").locator(`data[data-name="${name}"]`).getAttribute("value");
+  return Number(text);
+}
+
+/** Waits for the end of the run. */
+export async function finished(page: Page): Promise<void> {
+  await expect(page.getByRole("status").locator('data[data-name="mismatch-max"]')).toBeVisible({ timeout: 45_000 });
+}
+
+/** Draws through the points (parts of the surface, y up) with the mouse. */
+export async function stroke(page: Page, side: Side, points: readonly (readonly [number, number])[]): Promise<void> {
+  const box = await surface(page, side).boundingBox();
+  if (!box) throw new Error(`the ${side} surface is not on the page`);
+  const at = ([x, y]: readonly [number, number]) => [box.x + x * box.width, box.y + (1 - y) * box.height] as const;
+  await page.mouse.move(...at(points[0]));
+  await page.mouse.down();
+  for (const point of points.slice(1)) await page.mouse.move(...at(point));
+  await page.mouse.up();
+}
+
+/** An ellipse, drawn almost to its start. */
+export function ellipse(a: number, b: number, x = 0.5, y = 0.5): [number, number][] {
+  return Array.from({ length: 48 }, (_, i) => {
+    const t = (2 * Math.PI * i) / 49;
+    return [x + a * Math.cos(t), y + b * Math.sin(t)];
+  });
+}
+
+/** Empties both surfaces, so that drawings start from nothing. */
+export async function clear(page: Page): Promise<void> {
+  await button(page, "Clear reference").click();
+  await button(page, "Clear template").click();
+}
+
+/** Pixels of a canvas that are painted, as a part of all, and the number of different colours. */
+export async function paint(canvas: Locator): Promise<{ painted: number; colours: number }> {
+  return canvas.evaluate((element) => {
+    const target = element as HTMLCanvasElement;
+    const image = target.getContext("2d")?.getImageData(0, 0, target.width, target.height);
+    if (!image) throw new Error("no 2D canvas");
+    const words = new Uint32Array(image.data.buffer);
+    const seen = new Set(words);
+    return { painted: words.reduce((sum, word) => sum + (word === 0 ? 0 : 1), 0) / words.length, colours: seen.size };
+  });
+}
+
+/** What the address holds of a shape: changes with every edit. */
+export function drawn(page: Page, side: Side): string | null {
+  return new URLSearchParams(new URL(page.url()).hash.slice(1)).get(side.toLowerCase());
+}
+
+/** The line that opens the settings. */
+export function settings(page: Page): Locator {
+  return page.locator("summary", { hasText: "Settings" });
+}
+
+/** Chooses a setting in the panel, by its label. */
+export async function choose(page: Page, label: string, option: string): Promise<void> {
+  const select = page.getByLabel(label, { exact: true });
+  if (!(await select.isVisible())) await settings(page).click();
+  await select.selectOption(option);
+}
+
+/** Collects what should not be there: console errors, uncaught errors, and requests from now on. */
+export function watch(page: Page): { errors: string[]; requests: string[] } {
+  const seen = { errors: [] as string[], requests: [] as string[] };
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") seen.errors.push(message.text());
+  });
+  page.on("pageerror", (error) => seen.errors.push(error.message));
+  page.on("request", (request) => seen.requests.push(request.url()));
+  return seen;
+}

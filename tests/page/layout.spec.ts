@@ -1,0 +1,76 @@
+import { AxeBuilder } from "@axe-core/playwright";
+import { expect, test } from "@playwright/test";
+import { button, finished, result, settings, surface, watch } from "./handles";
+
+for (const colorScheme of ["light", "dark"] as const) {
+  for (const [width, height] of [
+    [1280, 800],
+    [390, 844],
+  ]) {
+    test.describe(`${colorScheme}, ${width} pixels`, () => {
+      test.use({ colorScheme, viewport: { width, height } });
+
+      test("has no accessibility violation, before, after and with everything open", async ({ page }) => {
+        const seen = watch(page);
+        await page.goto("./#v=1&preset=ellipse&finest=5");
+        expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+        await button(page, "Match").click();
+        await finished(page);
+        await settings(page).click();
+        await button(page, "Clear template").click();
+        await button(page, "Match").click();
+        await expect(page.getByRole("alert")).not.toBeEmpty();
+        expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+        expect(seen.errors).toEqual([]);
+      });
+
+      test("has nothing to scroll sideways", async ({ page }) => {
+        await page.goto("./#v=1&preset=ellipse&finest=5");
+        await button(page, "Match").click();
+        await finished(page);
+        await settings(page).click();
+        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+      });
+    });
+  }
+}
+
+test("at 1280 × 800 everything to draw and match with is in sight", async ({ page }) => {
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await button(page, "Match").click();
+  await finished(page);
+  for (const part of [
+    surface(page, "Reference"),
+    surface(page, "Template"),
+    button(page, "Match"),
+    result(page),
+    page.getByRole("slider", { name: "Morph" }),
+    page.getByRole("status"),
+    button(page, "Bean → crescent"),
+    settings(page),
+  ]) {
+    await expect(part).toBeInViewport({ ratio: 1 });
+  }
+});
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, deviceScaleFactor: 3, hasTouch: true, isMobile: true });
+
+  test("both sketches, Match and the result's upper half are in sight", async ({ page }) => {
+    await page.goto("./");
+    await expect(surface(page, "Reference")).toBeInViewport({ ratio: 1 });
+    await expect(surface(page, "Template")).toBeInViewport({ ratio: 1 });
+    await expect(button(page, "Match")).toBeInViewport({ ratio: 1 });
+    await expect(result(page)).toBeInViewport({ ratio: 0.5 });
+  });
+
+  test("canvases have one pixel for each of the screen's", async ({ page }) => {
+    await page.goto("./");
+    for (const canvas of [surface(page, "Reference"), result(page)]) {
+      const box = await canvas.boundingBox();
+      await expect
+        .poll(() => canvas.evaluate((element) => (element as HTMLCanvasElement).width))
+        .toBe(Math.round((box?.width ?? 0) * 3));
+    }
+  });
+});

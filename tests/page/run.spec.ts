@@ -1,0 +1,164 @@
+import { expect, type Page, test } from "@playwright/test";
+import { button, clear, ellipse, finished, result, stroke, surface, value, watch } from "./handles";
+
+/** A run long enough to be interrupted. */
+const LONG = "./#v=1&preset=flower&finest=8";
+
+async function start(page: Page): Promise<void> {
+  await button(page, "Match").click();
+  await expect(page.getByRole("status").locator('data[data-name="iteration"]')).toBeVisible();
+}
+
+/** Level and iteration as one growing number. */
+async function progress(page: Page): Promise<number> {
+  return 1e6 * (await value(page, "level")) + (await value(page, "iteration"));
+}
+
+test("a paused run stands still and goes on from there", async ({ page }) => {
+  await page.goto(LONG);
+  await start(page);
+  await button(page, "Pause").click();
+  await expect(page.getByRole("status")).toContainText("Paused");
+  // A frame that was on its way may still arrive.
+  await page.waitForTimeout(200);
+  const held = await progress(page);
+  await page.waitForTimeout(400);
+  expect(await progress(page)).toBe(held);
+  await expect(result(page)).toHaveAttribute("aria-label", /paused on the/);
+  await button(page, "Resume").click();
+  await expect(button(page, "Pause")).toBeVisible();
+  await finished(page);
+  expect(await progress(page)).toBeGreaterThan(held);
+});
+
+test("a cancelled run ends at once and leaves the shapes", async ({ page }) => {
+  await page.goto(LONG);
+  await start(page);
+  await button(page, "Cancel").click();
+  await expect(page.getByRole("status")).toContainText("Ready");
+  await expect(page.getByRole("progressbar")).toHaveCount(0);
+  await expect(button(page, "Cancel")).toBeDisabled();
+  // No late frame brings the run back.
+  await page.waitForTimeout(400);
+  await expect(page.getByRole("status").locator("data")).toHaveCount(0);
+  await expect(button(page, "Long flower → short circle")).toHaveAttribute("aria-pressed", "true");
+  await button(page, "Match").click();
+  await finished(page);
+});
+
+test("an edit during a run starts it again with what was drawn", async ({ page }) => {
+  const seen = watch(page);
+  await page.goto(LONG);
+  await start(page);
+  await stroke(page, "Reference", ellipse(0.14, 0.14));
+  await stroke(page, "Template", ellipse(0.17, 0.17));
+  await expect(page.getByRole("status")).toContainText("Done: ", { timeout: 45_000 });
+  expect(await value(page, "mismatch-max")).toBeLessThan(0.5);
+  expect(seen.errors).toEqual([]);
+});
+
+test("an edit after the end takes the numbers away, and undo brings them back", async ({ page }) => {
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await button(page, "Match").click();
+  await finished(page);
+  const distance = await value(page, "mismatch-max");
+  await surface(page, "Template").press("ArrowLeft");
+  await expect(page.getByRole("status")).toContainText("The shapes have changed: press Match.");
+  await expect(page.getByRole("status").locator("data")).toHaveCount(0);
+  await button(page, "Undo").click();
+  expect(await value(page, "mismatch-max")).toBe(distance);
+});
+
+test("the page answers the hand while the solver works", async ({ page }) => {
+  await page.goto(LONG);
+  const canvas = surface(page, "Reference");
+  await canvas.evaluate((element) => {
+    const delays: number[] = [];
+    Object.assign(window, { delays });
+    element.addEventListener("pointermove", (event) => delays.push(performance.now() - event.timeStamp));
+  });
+  await start(page);
+  const box = await canvas.boundingBox();
+  if (!box) throw new Error("the reference surface is not on the page");
+  for (let i = 0; i < 60; i += 1) {
+    await page.mouse.move(box.x + 20 + 4 * i, box.y + 40 + 3 * i);
+  }
+  const delays = await page.evaluate(() => (window as unknown as { delays: number[] }).delays.sort((a, b) => a - b));
+  expect(delays.length).toBeGreaterThan(20);
+  // The 95th percentile: on a shared machine, single events wait for the machine and not for the page.
+  expect(delays[Math.floor(0.95 * delays.length)]).toBeLessThan(50);
+});
+
+test.describe("what cannot be matched is refused with a reason", () => {
+  test("a shape that is missing", async ({ page }) => {
+    const seen = watch(page);
+    await page.goto("./");
+    await button(page, "Clear template").click();
+    await button(page, "Match").click();
+    await expect(page.getByRole("alert")).toContainText("The template has no points");
+    await expect(page.getByRole("status")).toContainText("Ready");
+    expect(seen.errors).toEqual([]);
+    // The other shape is still there, and drawing what is missing is all it takes.
+    await stroke(page, "Template", ellipse(0.2, 0.15));
+    await expect(page.getByRole("alert")).toBeEmpty();
+    await button(page, "Match").click();
+    await finished(page);
+  });
+
+  test("a shape without area", async ({ page }) => {
+    await page.goto("./");
+    await clear(page);
+    const line = Array.from({ length: 20 }, (_, i) => [0.3 + 0.02 * i, 0.5] as const);
+    await stroke(page, "Reference", line);
+    await stroke(page, "Template", ellipse(0.2, 0.2));
+    await button(page, "Match").click();
+    await expect(page.getByRole("alert")).toContainText("The reference encloses no area");
+    await button(page, "Dismiss").click();
+    await expect(page.getByRole("alert")).toBeEmpty();
+  });
+
+  test("a shape at the border, and Fit is the remedy", async ({ page }) => {
+    await page.goto("./#v=1&preset=ellipse&finest=5");
+    await clear(page);
+    await stroke(page, "Reference", ellipse(0.2, 0.2));
+    await stroke(page, "Template", ellipse(0.2, 0.2, 0.795, 0.5));
+    await button(page, "Match").click();
+    await expect(page.getByRole("alert")).toContainText("The template comes within");
+    await expect(page.getByRole("alert")).toContainText("right border");
+    await button(page, "Fit").click();
+    await expect(page.getByRole("alert")).toBeEmpty();
+    await button(page, "Match").click();
+    await finished(page);
+    expect(await value(page, "mismatch-max")).toBeLessThan(0.5);
+  });
+});
+
+test("a solver that crashes is replaced, and nothing drawn is lost", async ({ page }) => {
+  await page.goto(LONG);
+  await page.waitForLoadState("networkidle");
+  const requests: string[] = [];
+  page.on("request", (request) => requests.push(request.url()));
+  await start(page);
+  const [worker] = page.workers();
+  // What a panic in the solver's asynchronous part does: an error that nothing catches.
+  await worker.evaluate(() => {
+    setTimeout(() => {
+      throw new WebAssembly.RuntimeError("unreachable");
+    });
+  });
+  await expect(page.getByRole("alert")).toContainText("The solver stopped unexpectedly");
+  await expect(page.getByRole("alert")).toContainText("Your shapes are kept");
+  await expect(page.getByRole("status")).toContainText("Ready");
+  await expect(button(page, "Long flower → short circle")).toHaveAttribute("aria-pressed", "true");
+  await button(page, "Match").click();
+  await finished(page);
+  await expect(page.getByRole("alert")).toBeEmpty();
+  // Not even the fresh worker needs the network; its script is part of the page.
+  expect(requests.filter((address) => !address.startsWith("blob:"))).toEqual([]);
+});
+
+test("a solver that cannot be loaded says so", async ({ page }) => {
+  await page.route("**/*.wasm", (route) => route.fulfill({ status: 404, body: "" }));
+  await page.goto("./");
+  await expect(page.getByRole("alert")).toContainText("The solver could not be loaded (404); reload the page");
+});

@@ -1,8 +1,10 @@
 import { defineConfig } from "vitest/config";
+import { countries } from "./scripts/lib/countries.mjs";
 
 export default defineConfig({
   // Relative addresses: the build works under any path of any static server.
   base: "./",
+  plugins: [countries()],
   build: { target: "es2022", sourcemap: false },
   worker: { format: "es" },
   // Neither watch what cargo builds nor look for pages in it.

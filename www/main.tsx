@@ -1,6 +1,7 @@
 /** Wires shapes, solver and views into the page; the only file that knows all. */
 
 import { render } from "preact";
+import { Import } from "./controls/Import";
 import { Morph } from "./controls/Morph";
 import { Presets } from "./controls/Presets";
 import { ResultPanel } from "./controls/ResultPanel";
@@ -39,6 +40,7 @@ function App({ session }: { session: Session }) {
         <Presets session={session} />
         <SettingsPanel session={session} />
       </div>
+      <Import session={session} />
     </>
   );
 }

@@ -3,6 +3,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { begun, changed, type History, redone, undone } from "./history";
 import type { FrameReply } from "./protocol";
+import type { MatchRecord } from "./record";
 import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
 import { fitted, type Shape } from "./shapes/geometry";
 import type { Preset } from "./shapes/presets";
@@ -137,6 +138,20 @@ export class Session {
     }
     this.settings.value = saved.settings;
     this.commit(pairFrom(saved.reference, saved.template, saved.preset));
+  }
+
+  /** Shows a saved match as it was; the shapes before it are one undo away. */
+  restore({ reference, template, settings, match }: MatchRecord): void {
+    this.cancel();
+    this.settings.value = settings;
+    this.commit(pairFrom(reference, template, null));
+    if (!match) return;
+    this.energies.value = [];
+    this.morph.value = 1;
+    this.solved.value = { reference, template };
+    this.frame.value = { kind: "frame", run: 0, ...match };
+    this.fresh.value = true;
+    this.phase.value = "finished";
   }
 
   changeSetting(field: SettingField, value: number | string | boolean): void {

@@ -8,6 +8,7 @@ import { Surface } from "../view/canvas";
 import { arcLengthParts } from "../view/curve";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
+import { ImportButton } from "./Import";
 
 const NAMES = { reference: "Reference", template: "Template" };
 
@@ -75,15 +76,18 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
         <h2 id={`${side}-name`} class={side}>
           {NAMES[side]}
         </h2>
-        <button
-          type="button"
-          class="quiet"
-          aria-label={`Clear ${side}`}
-          disabled={empty}
-          onClick={() => session.commitShape(side, [])}
-        >
-          Clear
-        </button>
+        <div>
+          <ImportButton side={side} />
+          <button
+            type="button"
+            class="quiet"
+            aria-label={`Clear ${side}`}
+            disabled={empty}
+            onClick={() => session.commitShape(side, [])}
+          >
+            Clear
+          </button>
+        </div>
       </header>
       <div class="surface">
         {/* biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: application is the role of a surface with keys of its own */}

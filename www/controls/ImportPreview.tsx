@@ -1,0 +1,177 @@
+import { effect, useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { Side } from "../session";
+import { pixelX, pixelY, Surface, trace } from "../view/canvas";
+import { type Draft, type Outcome, withChoice } from "./importDraft";
+
+type PreviewProps = { readonly draft: Draft; readonly result: Outcome; readonly side: Side };
+
+/** The shape where it will lie in the box, over the picture it comes from. */
+export function ImportPreview({ draft, result, side }: PreviewProps) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const shown = useSignal({ draft, result, side });
+  shown.value = { draft, result, side };
+
+  useEffect(() => {
+    if (!canvas.current) return;
+    const surface = new Surface(canvas.current, 0, (context, frame, colours) => {
+      const { draft, result, side } = shown.value;
+      if (!result.prepared) return;
+      const { shape, box } = result.prepared;
+      if (draft.preview) {
+        // Pixel centres lie at whole numbers from 1 on, y up: so does the outline that was traced.
+        const left = 0.5 * box.a + box.x;
+        const top = (draft.preview.height + 0.5) * box.a + box.y;
+        context.globalAlpha = 0.35;
+        context.drawImage(
+          draft.preview,
+          pixelX(frame, left),
+          pixelY(frame, top),
+          draft.preview.width * box.a * frame.scale,
+          draft.preview.height * box.a * frame.scale,
+        );
+      }
+      context.beginPath();
+      for (const loop of shape) trace(context, frame, loop, true);
+      context.fillStyle = colours[side];
+      context.globalAlpha = 0.16;
+      context.fill("nonzero");
+      context.globalAlpha = 1;
+      context.strokeStyle = colours[side];
+      context.lineWidth = 2 * frame.ratio;
+      context.lineJoin = "round";
+      context.stroke();
+    });
+    const stop = effect(() => {
+      shown.value;
+      surface.invalidate();
+    });
+    return () => {
+      stop();
+      surface.dispose();
+    };
+  }, [shown]);
+
+  return (
+    <div class="surface">
+      <canvas ref={canvas} role="img" aria-label={`Preview: ${words(result)}`} />
+    </div>
+  );
+}
+
+function words({ prepared, problem }: Outcome): string {
+  if (!prepared) return problem ?? "nothing to show";
+  const points = prepared.shape.reduce((sum, loop) => sum + loop.length / 2, 0);
+  const loops = prepared.shape.length;
+  return `${loops} ${loops === 1 ? "loop" : "loops"}, ${points} points`;
+}
+
+type OptionsProps = { readonly draft: Draft; readonly result: Outcome; readonly onChange: (draft: Draft) => void };
+
+export function ImportOptions({ draft, result, onChange }: OptionsProps) {
+  return (
+    <div class="options">
+      <p class="source">From {draft.source}</p>
+      {draft.choices.length > 1 && (
+        <label>
+          Shape
+          <select
+            value={String(draft.chosen)}
+            onChange={(event) => onChange(withChoice(draft, Number(event.currentTarget.value)))}
+          >
+            {draft.choices.map((choice, i) => (
+              <option key={`${i} ${choice.name}`} value={String(i)}>
+                {choice.name}
+              </option>
+            ))}
+          </select>
+        </label>
+      )}
+      {draft.picture && <PictureOptions draft={draft} onChange={onChange} />}
+      {result.loops > 1 && (
+        <>
+          <Choice
+            label="Parts"
+            value={draft.parts}
+            options={{ all: "all", largest: "only the largest" }}
+            onChange={(parts) => onChange({ ...draft, parts })}
+          />
+          <Choice
+            label="Holes"
+            value={draft.holes}
+            options={{ keep: "keep", fill: "fill" }}
+            onChange={(holes) => onChange({ ...draft, holes })}
+          />
+        </>
+      )}
+      {result.placed && (
+        <Choice
+          label="Place"
+          value={draft.placement}
+          options={{ asIs: "as in the file", fit: "scaled and centred" }}
+          onChange={(placement) => onChange({ ...draft, placement })}
+        />
+      )}
+      <div class="notes" aria-live="polite">
+        {result.problem ? <p class="refusal">{result.problem}</p> : <p>{words(result)}</p>}
+        {result.notes.map((note) => (
+          <p key={note}>{note}</p>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function PictureOptions({ draft, onChange }: Omit<OptionsProps, "result">) {
+  const automatic = draft.picture?.threshold ?? 0;
+  return (
+    <>
+      <label>
+        Threshold
+        <input
+          type="range"
+          min={1}
+          max={254}
+          step={1}
+          value={draft.threshold}
+          onInput={(event) => onChange({ ...draft, threshold: event.currentTarget.valueAsNumber })}
+        />
+      </label>
+      <button
+        type="button"
+        disabled={draft.threshold === automatic}
+        onClick={() => onChange({ ...draft, threshold: automatic })}
+      >
+        Automatic threshold
+      </button>
+      <Choice
+        label="Inside is"
+        value={draft.flipped ? "light" : "dark"}
+        options={{ dark: "what is dark or opaque", light: "what is light or clear" }}
+        onChange={(inside) => onChange({ ...draft, flipped: inside === "light" })}
+      />
+    </>
+  );
+}
+
+type ChoiceProps<T extends string> = {
+  readonly label: string;
+  readonly value: T;
+  readonly options: Readonly<Record<T, string>>;
+  readonly onChange: (value: T) => void;
+};
+
+function Choice<T extends string>({ label, value, options, onChange }: ChoiceProps<T>) {
+  return (
+    <label>
+      {label}
+      <select value={value} onChange={(event) => onChange(event.currentTarget.value as T)}>
+        {(Object.keys(options) as T[]).map((key) => (
+          <option key={key} value={key}>
+            {options[key]}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}

@@ -1,0 +1,56 @@
+/** What is being imported, and the ways into it: the button, a drop, a paste. */
+
+import { signal } from "@preact/signals";
+import type { Side } from "../session";
+
+export type ImportRequest = {
+  readonly side: Side;
+  /** A file, a pasted text, or nothing yet. */
+  readonly input: Blob | string | null;
+};
+
+/** The request that the dialog answers; null while it is closed. */
+export const importing = signal<ImportRequest | null>(null);
+
+/** Files and texts dropped or pasted anywhere on the page open the dialog. Returns how to stop listening. */
+export function listenForImports(): () => void {
+  const listening = new AbortController();
+  const options = { signal: listening.signal };
+  addEventListener("dragover", (event) => dragOver(event), options);
+  addEventListener("drop", (event) => drop(event), options);
+  addEventListener("paste", (event) => paste(event), options);
+  return () => listening.abort();
+}
+
+function dragOver(event: DragEvent): void {
+  if (!event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain")) return;
+  // Without this the browser would leave the page for the dropped file.
+  event.preventDefault();
+  event.dataTransfer.dropEffect = "copy";
+}
+
+function drop(event: DragEvent): void {
+  if (isField(event.target) || !event.dataTransfer) return;
+  const input = event.dataTransfer.files[0] ?? event.dataTransfer.getData("text/plain");
+  event.preventDefault();
+  if (input) importing.value = { side: sideAt(event.target), input };
+}
+
+function paste(event: ClipboardEvent): void {
+  if (isField(event.target) || !event.clipboardData) return;
+  const input = event.clipboardData.files[0] ?? event.clipboardData.getData("text/plain");
+  if (!input) return;
+  event.preventDefault();
+  importing.value = { side: sideAt(event.target), input };
+}
+
+function isField(target: EventTarget | null): boolean {
+  return target instanceof HTMLTextAreaElement || target instanceof HTMLInputElement;
+}
+
+/** What lands on the template's panel is for the template, all else for the side in question or the reference. */
+function sideAt(target: EventTarget | null): Side {
+  const panel = target instanceof Element ? target.closest("section.sketch") : null;
+  if (panel) return panel.getAttribute("aria-labelledby") === "template-name" ? "template" : "reference";
+  return importing.value?.side ?? "reference";
+}

@@ -1,0 +1,176 @@
+/** From loops of any size to a shape that can be drawn, edited and matched: placed in the box, with few even points. */
+
+import {
+  bounds,
+  FITTED_SIZE,
+  type Loop,
+  perimeter,
+  type Shape,
+  type Similarity,
+  signedArea,
+  transformed,
+} from "../geometry";
+import { ImportError } from "./found";
+import { chosenParts, type Holes, type Parts } from "./parts";
+
+/** A cell of the grid on which shapes are matched by default. */
+export const CELL = 1 / 128;
+
+/** Points a loop has at most: those that carry its form, and as many again to make long edges short. */
+export const MOST_POINTS = 600;
+const MOST_CORNERS = 360;
+const PIECES = MOST_POINTS - MOST_CORNERS;
+
+/** Smaller loops than these stay out, the largest first. */
+const MOST_LOOPS = 60;
+
+/** A thousandth of a cell: nobody sees it, and no energy feels it. */
+const FINEST = CELL / 1000;
+
+export type Placement = "fit" | "asIs";
+
+export type Prepared = {
+  readonly shape: Shape;
+  readonly notes: readonly string[];
+  /** From the loops' own coordinates to the box. */
+  readonly box: Similarity;
+};
+
+/** Throws when nothing is left that a grid could see. */
+export function prepared(
+  loops: Shape,
+  { parts, holes, placement }: { readonly parts: Parts; readonly holes: Holes; readonly placement: Placement },
+): Prepared {
+  const chosen = chosenParts(loops, parts, holes);
+  let box = placement === "fit" ? centring(chosen) : IN_PLACE;
+  let shape: Shape = transformed(chosen, box).filter(isSizeable);
+  const specks = chosen.length - shape.length;
+  if (specks > 0 && placement === "fit" && shape.length > 0) {
+    // Specks far out have made the rest smaller than it need be.
+    const sizeable = chosen.filter((loop) => isSizeable(transformed([loop], box)[0]));
+    box = centring(sizeable);
+    shape = transformed(sizeable, box);
+  }
+  if (shape.length === 0) {
+    throw new ImportError("Nothing is left that is larger than a cell of the grid; scale the shape up.");
+  }
+  const notes: string[] = [];
+  if (specks > 0)
+    notes.push(`${counted(specks, "speck")} smaller than a cell ${specks === 1 ? "is" : "are"} left out.`);
+  if (shape.length > MOST_LOOPS) {
+    notes.push(`Of ${shape.length} loops the ${MOST_LOOPS} largest are taken.`);
+    shape = [...shape].sort((a, b) => Math.abs(signedArea(b)) - Math.abs(signedArea(a))).slice(0, MOST_LOOPS);
+  }
+  let coarsest = 0;
+  const simple = shape.map((loop) => {
+    const { points, tolerance } = simplified(loop);
+    coarsest = Math.max(coarsest, tolerance);
+    return points;
+  });
+  if (coarsest > CELL / 4) notes.push(`Details finer than ${(coarsest / CELL).toFixed(1)} cells are smoothed away.`);
+  return { shape: simple, notes, box };
+}
+
+const IN_PLACE: Similarity = { a: 1, b: 0, x: 0, y: 0 };
+
+/** Scales and centres as the page's own Fit does. */
+function centring(shape: Shape): Similarity {
+  const box = bounds(shape);
+  const extent = box ? Math.max(box.right - box.left, box.top - box.bottom) : 0;
+  if (!box || !(extent > 0)) return IN_PLACE;
+  const a = FITTED_SIZE / extent;
+  return { a, b: 0, x: 0.5 - (a * (box.left + box.right)) / 2, y: 0.5 - (a * (box.bottom + box.top)) / 2 };
+}
+
+/** Larger than a cell both in area and along each side. */
+function isSizeable(loop: Loop): boolean {
+  const box = bounds([loop]);
+  return (
+    box !== null &&
+    Math.abs(signedArea(loop)) >= CELL * CELL &&
+    Math.max(box.right - box.left, box.top - box.bottom) >= CELL
+  );
+}
+
+function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
+/**
+ * The loop with at most `MOST_POINTS` points, none of its old ones further than `tolerance` from it. Corners stay
+ * corners; then long edges are divided, so that pulling the curve finds points everywhere.
+ */
+export function simplified(loop: Loop): { readonly points: Loop; readonly tolerance: number } {
+  let tolerance = FINEST;
+  let points = thinned(loop, tolerance);
+  while (points.length / 2 > MOST_CORNERS) {
+    tolerance *= 1.5;
+    points = thinned(loop, tolerance);
+  }
+  return { points: divided(points, perimeter(points) / PIECES), tolerance };
+}
+
+/** Douglas–Peucker on the closed loop: leaves out points that lie within `tolerance` of the chord over them. */
+export function thinned(loop: Loop, tolerance: number): Loop {
+  const n = loop.length / 2;
+  if (n <= 4) return loop;
+  const keep = new Uint8Array(n);
+  // Two points that surely stay cut the loop open: one at an extreme, and the one furthest from it.
+  let first = 0;
+  for (let i = 1; i < n; i += 1) if (loop[2 * i] > loop[2 * first]) first = i;
+  let second = first;
+  let reach = -1;
+  for (let i = 0; i < n; i += 1) {
+    const distance = Math.hypot(loop[2 * i] - loop[2 * first], loop[2 * i + 1] - loop[2 * first + 1]);
+    if (distance > reach) {
+      reach = distance;
+      second = i;
+    }
+  }
+  keep[first] = 1;
+  keep[second] = 1;
+  const open: [number, number][] = [
+    [first, second > first ? second : second + n],
+    [second > first ? second : second + n, first + (second > first ? n : 2 * n)],
+  ];
+  for (let span = open.pop(); span; span = open.pop()) {
+    const [from, to] = span;
+    let far = -1;
+    let worst = tolerance;
+    for (let k = from + 1; k < to; k += 1) {
+      const distance = fromChord(loop, k % n, from % n, to % n);
+      if (distance > worst) {
+        worst = distance;
+        far = k;
+      }
+    }
+    if (far < 0) continue;
+    keep[far % n] = 1;
+    open.push([from, far], [far, to]);
+  }
+  const out: number[] = [];
+  for (let i = 0; i < n; i += 1) if (keep[i]) out.push(loop[2 * i], loop[2 * i + 1]);
+  return out.length >= 6 ? Float64Array.from(out) : loop;
+}
+
+function fromChord(loop: Loop, k: number, a: number, b: number): number {
+  const [x, y] = [loop[2 * k] - loop[2 * a], loop[2 * k + 1] - loop[2 * a + 1]];
+  const [u, v] = [loop[2 * b] - loop[2 * a], loop[2 * b + 1] - loop[2 * a + 1]];
+  const square = u * u + v * v;
+  const t = square > 0 ? Math.min(1, Math.max(0, (x * u + y * v) / square)) : 0;
+  return Math.hypot(x - t * u, y - t * v);
+}
+
+/** The same polygon with no edge longer than `longest`. */
+export function divided(loop: Loop, longest: number): Loop {
+  const out: number[] = [];
+  const n = loop.length / 2;
+  for (let i = 0; i < n; i += 1) {
+    const j = (i + 1) % n;
+    const [x, y] = [loop[2 * i], loop[2 * i + 1]];
+    const [dx, dy] = [loop[2 * j] - x, loop[2 * j + 1] - y];
+    const pieces = Math.max(1, Math.ceil(Math.hypot(dx, dy) / longest - 1e-9));
+    for (let k = 0; k < pieces; k += 1) out.push(x + (k / pieces) * dx, y + (k / pieces) * dy);
+  }
+  return Float64Array.from(out);
+}

@@ -1,0 +1,36 @@
+/** What reading a file or a pasted text yields, before anything is chosen or placed. */
+
+import type { Shape } from "../geometry";
+
+/** One shape of a file. Loops are y up, bodies counter-clockwise and holes clockwise, in units of the file's own. */
+export type Choice = {
+  readonly name: string;
+  readonly loops: Shape;
+  /** The coordinates are the box's own, and the shape keeps its distance from the border. */
+  readonly placed: boolean;
+  /** Only its largest part is meant, such as a country's mainland. */
+  readonly mainPart: boolean;
+};
+
+/** A picture made small, without colour. */
+export type Picture = {
+  readonly width: number;
+  readonly height: number;
+  /** 0 is surely outside, 255 surely inside when not flipped; row 0 on top. */
+  readonly ink: Uint8Array;
+  /** Otsu's threshold on `ink`. */
+  readonly threshold: number;
+  /** Whether most of the picture's border is ink: then the shape is what is not. */
+  readonly borderIsInk: boolean;
+};
+
+export type Found =
+  | { readonly kind: "shapes"; readonly choices: readonly Choice[]; readonly notes: readonly string[] }
+  | { readonly kind: "picture"; readonly picture: Picture; readonly notes: readonly string[] }
+  /** JSON that this page has saved: to be read by whoever knows about matches. */
+  | { readonly kind: "saved"; readonly content: unknown };
+
+/** Input that cannot be taken: a sentence that says what is wrong and what to do. */
+export class ImportError extends Error {
+  override readonly name = "ImportError";
+}

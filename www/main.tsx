@@ -5,6 +5,7 @@ import { Import } from "./controls/Import";
 import { Morph } from "./controls/Morph";
 import { Presets } from "./controls/Presets";
 import { ResultPanel } from "./controls/ResultPanel";
+import { Save } from "./controls/Save";
 import { SettingsPanel } from "./controls/SettingsPanel";
 import { SketchPanel } from "./controls/SketchPanel";
 import { Progress, StatusPanel } from "./controls/StatusPanel";
@@ -29,6 +30,7 @@ function App({ session }: { session: Session }) {
         <header>
           <h2 id="outcome-name">Match</h2>
           <Morph session={session} />
+          <Save session={session} />
         </header>
         <div class="surface">
           <Progress session={session} />

@@ -9,7 +9,7 @@
 import type { Curves, FrameReply, Status } from "./protocol";
 import { type Chosen, FIELDS, parseSetting, withSetting } from "./settings";
 import type { Loop, Shape } from "./shapes/geometry";
-import { FORMAT } from "./shapes/import/json";
+import { FORMAT } from "./shapes/import/format";
 
 export type SavedMatch = Pick<FrameReply, "status" | "deformation" | "curves">;
 

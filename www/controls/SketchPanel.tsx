@@ -76,7 +76,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
         <h2 id={`${side}-name`} class={side}>
           {NAMES[side]}
         </h2>
-        <div>
+        <div class="tools">
           <ImportButton side={side} />
           <button
             type="button"

@@ -1,11 +1,9 @@
 /** JSON: polygons by name, this page's own files, and GeoJSON. */
 
+import { FORMAT } from "./format";
 import { type Choice, type Found, ImportError } from "./found";
 import { isGeoJson, readGeoJson } from "./geojson";
 import { shapeFromLoops } from "./loops";
-
-/** What this page writes into its own files as `format`. */
-export const FORMAT = "thinshell";
 
 export function readJson(text: string): Found {
   let content: unknown;

@@ -1,0 +1,57 @@
+/** Every format in which a match is taken away, by its name. */
+
+import { encodeRecord } from "../record";
+import { theme } from "../view/palette";
+import { csv } from "./csv";
+import { gif, type SceneAt, video } from "./morph";
+import { png } from "./png";
+import { fileName, type Saving, sceneAt } from "./scene";
+import { svg } from "./svg";
+
+export type Format = "png" | "svg" | "json" | "csv" | "video" | "gif";
+
+export type Saved = { readonly blob: Blob; readonly name: string };
+
+/** `morph` is what the view shows. Throws a sentence when the format needs a match and there is none. */
+export async function saved(saving: Saving, format: Format, morph: number): Promise<Saved> {
+  const colours = theme();
+  const at: SceneAt = (part) => sceneAt(saving, part);
+  const named = (blob: Blob, extension: string): Saved => ({ blob, name: fileName(saving, extension) });
+  const text = (content: string, type: string) => named(new Blob([content], { type }), format);
+  switch (format) {
+    case "png":
+      return named(await png(at(morph), colours), "png");
+    case "svg":
+      return text(svg(at(morph), colours), "image/svg+xml");
+    case "json":
+      // A run that is still on its way is no result: its shapes and settings are enough to start it again.
+      return text(
+        encodeRecord(saving.match?.status.finished ? saving : { ...saving, match: null }),
+        "application/json",
+      );
+    case "csv":
+      return text(csv(matchOf(saving).curves), "text/csv");
+    case "video":
+    case "gif": {
+      matchOf(saving);
+      const { blob, extension } = await (format === "gif" ? gif(at, colours) : video(at, colours));
+      return named(blob, extension);
+    }
+  }
+}
+
+function matchOf({ match }: Saving): NonNullable<Saving["match"]> {
+  if (!match) throw new Error("There is no match to save yet; press Match first.");
+  return match;
+}
+
+/** Hands the file to the browser's downloads. */
+export function download({ blob, name }: Saved): void {
+  const address = URL.createObjectURL(blob);
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+  // Browsers read the address after the click; a minute is ample.
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}

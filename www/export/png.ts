@@ -1,0 +1,45 @@
+/** The result view as a picture, drawn anew at a resolution for print. */
+
+import type { Frame } from "../view/canvas";
+import type { Theme } from "../view/palette";
+import { drawResult, type ResultScene } from "../view/result";
+
+/** Pixels a side: 20 cm at 300 dots per inch. */
+const PRINT_SIDE = 2400;
+
+/** Lines keep the proportion to the picture that they have in a view of this many CSS pixels. */
+const VIEW_SIDE = 520;
+
+/** φ leaves the box a little; this much around it is in the picture. */
+export const MARGIN = 0.05;
+
+export async function png(scene: ResultScene, colours: Theme): Promise<Blob> {
+  const canvas = document.createElement("canvas");
+  canvas.width = PRINT_SIDE;
+  canvas.height = PRINT_SIDE;
+  paint(canvas, scene, colours);
+  const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, "image/png"));
+  if (!blob) throw new Error("The browser could not make the picture; it may be short of memory.");
+  return blob;
+}
+
+/** Draws the scene on the theme's paper, filling the canvas. */
+export function paint(canvas: HTMLCanvasElement, scene: ResultScene, colours: Theme): CanvasRenderingContext2D {
+  const context = canvas.getContext("2d", { willReadFrequently: true });
+  if (!context) throw new Error("The browser gives no canvas to draw the picture on.");
+  const { width, height } = canvas;
+  const frame: Frame = {
+    left: -MARGIN,
+    bottom: -MARGIN,
+    scale: Math.min(width, height) / (1 + 2 * MARGIN),
+    width,
+    height,
+    ratio: width / VIEW_SIDE,
+  };
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.globalAlpha = 1;
+  context.fillStyle = colours.paper;
+  context.fillRect(0, 0, width, height);
+  drawResult(context, frame, colours, scene);
+  return context;
+}

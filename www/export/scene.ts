@@ -1,0 +1,31 @@
+/** What is saved: the page's shapes with the match that belongs to them. Plain data. */
+
+import type { Curves, Status } from "../protocol";
+import type { Chosen } from "../settings";
+import type { Shape } from "../shapes/geometry";
+import type { Match, ResultScene } from "../view/result";
+
+export type Saving = {
+  readonly reference: Shape;
+  readonly template: Shape;
+  readonly settings: Chosen;
+  readonly bandwidth: number;
+  readonly match: { readonly status: Status; readonly deformation: Float64Array; readonly curves: Curves } | null;
+};
+
+/** As the result view shows it at a part `morph` of the deformation. */
+export function sceneAt({ reference, template, bandwidth, match }: Saving, morph: number): ResultScene {
+  const shown: Match | null = match && {
+    level: match.status.level,
+    deformation: match.deformation,
+    curves: match.curves,
+  };
+  return { reference, template, match: shown, morph, bandwidth };
+}
+
+/** Says what is in the file, and on which grid. */
+export function fileName({ match }: Saving, extension: string): string {
+  if (!match) return `thinshell-shapes.${extension}`;
+  const side = 2 ** match.status.level + 1;
+  return `thinshell-match-${side}x${side}.${extension}`;
+}

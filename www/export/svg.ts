@@ -1,0 +1,114 @@
+/**
+ * The result view as a drawing: every line a path. The box's side has 1000 units and y points down, as SVG has it.
+ * Reference, template and matched curve carry `data-side`, by which the import finds them again, to 10⁻⁶ of the box.
+ */
+
+import type { Loop, Shape } from "../shapes/geometry";
+import { arcLengthParts, blended } from "../view/curve";
+import { onCycle, type Theme } from "../view/palette";
+import type { ResultScene } from "../view/result";
+
+const UNITS = 1000;
+const MARGIN = 50;
+
+/** Grid lines a direction, as on the screen. */
+const LINES = 32;
+
+const TICKS = 36;
+
+export function svg(scene: ResultScene, colours: Theme): string {
+  const { match, morph } = scene;
+  const reference = match ? match.curves.reference : scene.reference;
+  const moved = match ? match.curves.matched.map((points, l) => blended(reference[l], points, morph)) : reference;
+  const parts = arcLengthParts(reference);
+  const side = UNITS + 2 * MARGIN;
+  const inked = (paint: string, width: number, more = "") =>
+    `fill="none" stroke="${paint}" stroke-width="${width}" stroke-linejoin="round"${more}`;
+  const band = round(2 * scene.bandwidth * UNITS);
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${-MARGIN} ${-MARGIN} ${side} ${side}" width="${side}" height="${side}" data-units-per-side="${UNITS}">`,
+    `<title>${match ? "Deformed grid and matched curve" : "Reference and template"}</title>`,
+    `<rect x="${-MARGIN}" y="${-MARGIN}" width="${side}" height="${side}" fill="${colours.paper}"/>`,
+    `<path data-side="template" d="${closedPath(scene.template)}" fill="${colours.template}" fill-opacity="0.14" stroke="${colours.template}" stroke-opacity="0.4" stroke-width="${match ? 12 : 4}" stroke-linejoin="round"/>`,
+    `<path id="grid" d="${gridPath(scene)}" ${inked(colours.grid, 1.8)}/>`,
+    `<path data-side="reference" d="${closedPath(scene.reference)}" ${inked(colours.reference, band, ' stroke-opacity="0.09"')}/>`,
+    match ? `<g id="partners" stroke-opacity="0.75">${ticks(reference, moved, parts, colours)}</g>` : "",
+    `<g id="arc-length" stroke-linecap="round" stroke-linejoin="round">`,
+    ...reference.map((loop, l) => coloured(loop, parts[l], colours, match ? 3 : 5)),
+    ...(match ? moved.map((loop, l) => coloured(loop, parts[l], colours, 6)) : []),
+    "</g>",
+    match ? `<path data-side="matched" d="${closedPath(moved)}" ${inked(colours.ink, 0.2)}/>` : "",
+    "</svg>",
+    "",
+  ]
+    .filter((line, i, lines) => line !== "" || i === lines.length - 1)
+    .join("\n");
+}
+
+function round(value: number): number {
+  return Math.round(1000 * value) / 1000;
+}
+
+function place(x: number, y: number): string {
+  return `${round(UNITS * x)} ${round(UNITS * (1 - y))}`;
+}
+
+function closedPath(shape: Shape): string {
+  return shape
+    .map(
+      (loop) => `M${Array.from({ length: loop.length / 2 }, (_, i) => place(loop[2 * i], loop[2 * i + 1])).join("L")}Z`,
+    )
+    .join("");
+}
+
+function gridPath({ match, morph }: ResultScene): string {
+  const cells = match ? 2 ** match.level : LINES;
+  const stride = Math.max(1, cells / LINES);
+  const at = (i: number, j: number) => {
+    const [x, y] = [i / cells, j / cells];
+    if (!match) return place(x, y);
+    const node = 2 * (j * (cells + 1) + i);
+    return place(
+      (1 - morph) * x + morph * match.deformation[node],
+      (1 - morph) * y + morph * match.deformation[node + 1],
+    );
+  };
+  const steps = Array.from({ length: cells + 1 }, (_, k) => k);
+  let path = "";
+  for (let line = 0; line <= cells; line += stride) {
+    path += `M${steps.map((k) => at(k, line)).join("L")}M${steps.map((k) => at(line, k)).join("L")}`;
+  }
+  return path;
+}
+
+/** One path for each stretch of equal colour. */
+function coloured(loop: Loop, parts: Float64Array, colours: Theme, width: number): string {
+  const count = parts.length;
+  let out = "";
+  let colour = "";
+  for (let i = 0; i < count; i += 1) {
+    const next = onCycle(colours.cycle, parts[i]);
+    if (next !== colour) {
+      if (colour) out += '"/>';
+      colour = next;
+      out += `<path fill="none" stroke="${colour}" stroke-width="${width}" d="M${place(loop[2 * i], loop[2 * i + 1])}`;
+    }
+    const j = (i + 1) % count;
+    out += `L${place(loop[2 * j], loop[2 * j + 1])}`;
+  }
+  return colour ? `${out}"/>` : out;
+}
+
+/** Lines from points of the reference, evenly spaced by arc length, to where they go. */
+function ticks(from: Shape, to: Shape, parts: readonly Float64Array[], colours: Theme): string {
+  let out = "";
+  from.forEach((loop, l) => {
+    const count = parts[l].length;
+    for (let i = 0; i < count; i += 1) {
+      if (Math.floor(parts[l][i] * TICKS) === Math.floor(parts[l][(i + 1) % count] * TICKS)) continue;
+      const end = place(to[l][2 * i], to[l][2 * i + 1]);
+      out += `<path stroke="${onCycle(colours.cycle, parts[l][i])}" stroke-width="2" d="M${place(loop[2 * i], loop[2 * i + 1])}L${end}"/>`;
+    }
+  });
+  return out;
+}

@@ -31,7 +31,7 @@ test("two curves drawn with the mouse are matched within half a cell and without
 });
 
 test("the status shows the run as it goes, and the end only at the end", async ({ page }) => {
-  await page.goto("./#v=1&preset=star&finest=8");
+  await page.goto("./#v=1&preset=star&finest=6&minimizer=ncg");
   const status = page.getByRole("status");
   await expect(status.locator("data")).toHaveCount(0);
   await expect(page.getByRole("progressbar")).toHaveCount(0);

@@ -250,7 +250,7 @@ export const PRESETS: readonly Preset[] = [
     [ribbon(elbow({ x: 0.36, y: 0.72 }, { x: 0.36, y: 0.3 }, { x: 0.68, y: 0.3 }, 0.11), () => 0.06)],
     [ribbon(arc(0.2, 80, 290, { x: 0.52, y: 0.5 }), () => 0.06)],
   ),
-  pair("flower", "Long flower → short circle", [star(7, 0.22, 0.15)], [ellipse(0.22, 0.22)]),
+  pair("clover", "Long clover → short circle", [star(4, 0.22, 0.2)], [ellipse(0.22, 0.22)]),
   pair(
     "ring",
     "Ring → shifted ring",
@@ -281,6 +281,6 @@ export const PRESETS: readonly Preset[] = [
     "moon",
     "Bean → crescent",
     [ribbon(arc(0.22, 220, 320, { x: 0.5, y: 0.66 }), () => 0.085)],
-    [ribbon(arc(0.2, 185, 355, { x: 0.5, y: 0.56 }), (s) => 0.03 + 0.05 * Math.sin(Math.PI * s))],
+    [ribbon(arc(0.2, 195, 345, { x: 0.5, y: 0.58 }), (s) => 0.045 + 0.035 * Math.sin(Math.PI * s))],
   ),
 ];

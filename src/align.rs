@@ -30,6 +30,15 @@ pub fn similarities<const D: usize>(
     })
 }
 
+/// Length (area for D = 3) of the boundary of what a distance function encloses.
+pub fn boundary_measure<const D: usize>(shape: &SignedDistance<D>) -> f64 {
+    let grid = shape.grid();
+    // The measure of |d| < 2h, by nodes, over its thickness; inner and outer curvature cancel to first order.
+    let width = 2.0 * grid.spacing();
+    let near = shape.values().iter().filter(|value| value.abs() < width).count();
+    near as f64 * grid.spacing().powi(D as i32) / (2.0 * width)
+}
+
 /// Measure (area, volume) and centroid of what a distance function encloses.
 struct Body<const D: usize> {
     measure: f64,
@@ -59,6 +68,14 @@ mod tests {
     fn ball<const D: usize>(grid: Grid<D>, centre: [f64; D], radius: f64) -> SignedDistance<D> {
         let distance = |x: [f64; D]| x.iter().zip(&centre).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() - radius;
         SignedDistance::from_nodal(grid, (0..grid.node_count()).map(|k| distance(grid.position(k))).collect())
+    }
+
+    #[test]
+    fn the_boundary_of_a_ball_is_measured_to_two_per_cent() {
+        let circle = boundary_measure(&ball(Grid::<2>::new(128), [0.5; 2], 0.3));
+        assert!((circle / (std::f64::consts::TAU * 0.3) - 1.0).abs() < 0.02, "{circle}");
+        let sphere = boundary_measure(&ball(Grid::<3>::new(64), [0.5; 3], 0.3));
+        assert!((sphere / (4.0 * std::f64::consts::PI * 0.09) - 1.0).abs() < 0.02, "{sphere}");
     }
 
     #[test]

@@ -1,13 +1,18 @@
 //! Coarse to fine: Algorithm 1 of the paper, one iteration at a time.
 
-use crate::align::similarities;
+mod level;
+mod start;
+
 use crate::assemble::{Assembler, CpuAssembler, Evaluation};
 use crate::distance::SignedDistance;
 use crate::error::Error;
 use crate::grid::Grid;
-use crate::minimize::{Minimizer, Ncg, Newton, Progress, Stop};
-use crate::prolongation::prolongate;
-use crate::settings::{Alignment, MinimizerKind, Settings};
+use crate::inverse::invert;
+use crate::minimize::{Progress, Stop};
+use crate::prolongation::{coarsen, prolongate};
+use crate::settings::{Alignment, Settings};
+use level::Level;
+use std::cell::OnceCell;
 
 /// A registration under way.
 pub struct Cascade<const D: usize> {
@@ -19,20 +24,8 @@ pub struct Cascade<const D: usize> {
     /// Evaluations before this level.
     past_evaluations: usize,
     progress: Progress,
-}
-
-/// What one level needs.
-struct Level<const D: usize> {
-    number: u32,
-    reference: SignedDistance<D>,
-    template: SignedDistance<D>,
-    assembler: CpuAssembler<D>,
-    minimizer: AnyMinimizer<D>,
-}
-
-enum AnyMinimizer<const D: usize> {
-    Newton(Newton<D>),
-    Ncg(Ncg<D>),
+    /// u of φ while the level works on φ⁻¹.
+    inverse: OnceCell<Vec<f64>>,
 }
 
 /// Where a cascade stands.
@@ -43,6 +36,7 @@ pub struct CascadeProgress {
     pub iteration: usize,
     /// Evaluations of the energy on all levels.
     pub evaluations: usize,
+    /// While the roles are exchanged: the energies of φ⁻¹ with the template as the shell.
     pub evaluation: Evaluation,
     /// Set once the finest level has ended.
     pub stop: Option<Stop>,
@@ -61,43 +55,107 @@ impl<const D: usize> Cascade<D> {
         settings.validate()?;
         assert_eq!(reference.grid(), Grid::of_level(settings.finest), "the shapes live on the finest level");
         assert_eq!(template.grid(), reference.grid());
-        let grid = Grid::<D>::of_level(settings.coarsest);
-        let mut start = vec![0.0; grid.node_count() * D];
-        let mut level = Level::new(settings.coarsest, &settings, &reference, &template, start.clone());
-        let mut evaluation = level.assembler.energy(&start).await;
-        let mut evaluations = 1;
+        let aligned = settings.alignment == Alignment::Similarity;
+        let exchanged = aligned && start::is_shorter(&template, &reference);
+        Ok(Self::begin(reference, template, settings, exchanged).await)
+    }
+
+    async fn begin(
+        reference: SignedDistance<D>,
+        template: SignedDistance<D>,
+        settings: Settings,
+        exchanged: bool,
+    ) -> Self {
+        let mut level = Level::new(settings.coarsest, &settings, [&reference, &template], exchanged, None);
+        let mut evaluations = 0;
         if settings.alignment == Alignment::Similarity {
-            for candidate in similarities(grid, &reference, &template) {
-                let other = level.assembler.energy(&candidate).await;
-                evaluations += 1;
-                if other.total() < evaluation.total() {
-                    (evaluation, start) = (other, candidate);
-                }
-            }
-            level.restart(&settings, start);
+            let shapes = if exchanged { [&template, &reference] } else { [&reference, &template] };
+            let displacement = start::find(&mut level.assembler, shapes, &settings, &mut evaluations).await;
+            level.restart(&settings, displacement);
         }
+        let evaluation = level.energy().await;
         let progress = Progress { evaluation, iterations: 0, evaluations: 0, stop: None };
-        Ok(Self { settings, reference, template, level, past_evaluations: evaluations, progress })
+        let past_evaluations = evaluations + 1;
+        Self { settings, reference, template, level, past_evaluations, progress, inverse: OnceCell::new() }
+    }
+
+    /// Goes on with other shapes or settings from the deformation there is, on its level or the nearest one of the new
+    /// settings. The cascade is unchanged if this fails.
+    ///
+    /// # Errors
+    /// A setting out of range.
+    pub async fn update(
+        &mut self,
+        reference: SignedDistance<D>,
+        template: SignedDistance<D>,
+        settings: Settings,
+    ) -> Result<(), Error> {
+        settings.validate()?;
+        assert_eq!(reference.grid(), Grid::of_level(settings.finest), "the shapes live on the finest level");
+        assert_eq!(template.grid(), reference.grid());
+        let number = self.level.number.clamp(settings.coarsest, settings.finest);
+        let mut grid = self.grid();
+        let mut displacement = self.displacement().to_vec();
+        while grid.cells() < 1 << number {
+            displacement = prolongate(grid, &displacement);
+            grid = Grid::new(2 * grid.cells());
+        }
+        while grid.cells() > 1 << number {
+            displacement = coarsen(grid, &displacement);
+            grid = Grid::new(grid.cells() / 2);
+        }
+        self.past_evaluations += self.progress.evaluations + 1;
+        self.level = Level::new(number, &settings, [&reference, &template], false, Some(displacement));
+        (self.reference, self.template, self.settings) = (reference, template, settings);
+        self.inverse.take();
+        self.unfold().await;
+        let evaluation = self.level.energy().await;
+        self.progress = Progress { evaluation, iterations: 0, evaluations: 0, stop: None };
+        Ok(())
     }
 
     /// One iteration, on the next level if this one has ended; nothing once the finest has.
     pub async fn step(&mut self) -> CascadeProgress {
-        if self.progress.stop.is_some() && self.level.number < self.settings.finest {
-            self.past_evaluations += self.progress.evaluations;
-            let displacement = prolongate(self.grid(), self.displacement());
-            let next = self.level.number + 1;
-            self.level = Level::new(next, &self.settings, &self.reference, &self.template, displacement);
-            self.unfold().await;
+        self.inverse.take();
+        if self.progress.stop.is_some() {
+            if self.level.number < self.settings.finest {
+                let displacement = prolongate(self.grid(), self.level.displacement());
+                self.enter(self.level.number + 1, self.level.exchanged, displacement).await;
+            } else if self.level.exchanged {
+                self.return_roles().await;
+            }
         }
         self.progress = self.level.step().await;
         self.progress()
+    }
+
+    async fn enter(&mut self, number: u32, exchanged: bool, displacement: Vec<f64>) {
+        self.past_evaluations += self.progress.evaluations;
+        let shapes = [&self.reference, &self.template];
+        self.level = Level::new(number, &self.settings, shapes, exchanged, Some(displacement));
+        self.unfold().await;
+    }
+
+    /// From φ⁻¹, found with the template as the shell, to φ on the finest level. Should the nodal inverse fold, the
+    /// cascade starts afresh without exchange.
+    async fn return_roles(&mut self) {
+        if let Some(displacement) = invert(self.grid(), self.level.displacement()) {
+            self.enter(self.level.number, false, displacement.clone()).await;
+            if self.level.displacement() == displacement.as_slice() {
+                self.level.limit_to_refinement();
+                return;
+            }
+        }
+        let evaluations = self.past_evaluations + self.progress.evaluations;
+        *self = Self::begin(self.reference.clone(), self.template.clone(), self.settings, false).await;
+        self.past_evaluations += evaluations;
     }
 
     /// Starts this level a little nearer to the identity if its first deformation is not admissible.
     ///
     /// A level may end within rounding of a fold, and the interpolant's determinants are rounded differently.
     async fn unfold(&mut self) {
-        let given = self.displacement().to_vec();
+        let given = self.level.displacement().to_vec();
         let mut displacement = given.clone();
         let mut share = f64::EPSILON;
         while !self.level.assembler.energy(&displacement).await.is_admissible() {
@@ -111,12 +169,13 @@ impl<const D: usize> Cascade<D> {
 
     /// The state after the last step, or at the start.
     pub fn progress(&self) -> CascadeProgress {
+        let last = self.level.number == self.settings.finest && !self.level.exchanged;
         CascadeProgress {
             level: self.level.number,
             iteration: self.progress.iterations,
             evaluations: self.past_evaluations + self.progress.evaluations,
             evaluation: self.progress.evaluation,
-            stop: self.progress.stop.filter(|_| self.level.number == self.settings.finest),
+            stop: self.progress.stop.filter(|_| last),
         }
     }
 
@@ -126,64 +185,42 @@ impl<const D: usize> Cascade<D> {
 
     /// The current level's grid.
     pub fn grid(&self) -> Grid<D> {
-        self.level.reference.grid()
+        self.level.assembler.grid()
     }
 
     /// u = φ − x at the nodes of the current level.
     pub fn displacement(&self) -> &[f64] {
-        match &self.level.minimizer {
-            AnyMinimizer::Newton(minimizer) => minimizer.displacement(),
-            AnyMinimizer::Ncg(minimizer) => minimizer.displacement(),
+        let displacement = self.level.displacement();
+        if !self.level.exchanged {
+            return displacement;
         }
+        // Where the inverse cannot be found yet, nothing is shown to move.
+        let inverse = || invert(self.grid(), displacement).unwrap_or_else(|| vec![0.0; displacement.len()]);
+        self.inverse.get_or_init(inverse)
     }
 
-    /// The shapes on the current level.
-    pub fn reference(&self) -> &SignedDistance<D> {
-        &self.level.reference
+    /// The shapes on the finest level.
+    pub fn shapes(&self) -> [&SignedDistance<D>; 2] {
+        [&self.reference, &self.template]
     }
 
-    pub fn template(&self) -> &SignedDistance<D> {
-        &self.level.template
+    /// The reference on the current level.
+    pub fn reference(&self) -> SignedDistance<D> {
+        self.reference.to_cells(self.grid().cells())
+    }
+
+    /// The template on the current level.
+    pub fn template(&self) -> SignedDistance<D> {
+        self.template.to_cells(self.grid().cells())
     }
 
     /// Energies and gradient of the current level at any displacement.
     pub async fn evaluate(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation {
-        self.level.assembler.gradient(displacement, gradient).await
-    }
-}
-
-impl<const D: usize> Level<D> {
-    fn new(
-        number: u32,
-        settings: &Settings,
-        reference: &SignedDistance<D>,
-        template: &SignedDistance<D>,
-        displacement: Vec<f64>,
-    ) -> Self {
-        let cells = 1 << number;
-        let (reference, template) = (reference.to_cells(cells), template.to_cells(cells));
-        let assembler = CpuAssembler::new(&settings.functional(number), &reference, &template);
-        let minimizer = AnyMinimizer::new(settings, reference.grid(), displacement);
-        Self { number, reference, template, assembler, minimizer }
-    }
-
-    fn restart(&mut self, settings: &Settings, displacement: Vec<f64>) {
-        self.minimizer = AnyMinimizer::new(settings, self.reference.grid(), displacement);
-    }
-
-    async fn step(&mut self) -> Progress {
-        match &mut self.minimizer {
-            AnyMinimizer::Newton(minimizer) => minimizer.step(&mut self.assembler).await,
-            AnyMinimizer::Ncg(minimizer) => minimizer.step(&mut self.assembler).await,
+        if !self.level.exchanged {
+            return self.level.assembler.gradient(displacement, gradient).await;
         }
-    }
-}
-
-impl<const D: usize> AnyMinimizer<D> {
-    fn new(settings: &Settings, grid: Grid<D>, displacement: Vec<f64>) -> Self {
-        match settings.minimizer {
-            MinimizerKind::Newton => Self::Newton(Newton::new(grid, displacement, settings.tolerance)),
-            MinimizerKind::Ncg => Self::Ncg(Ncg::new(grid, displacement, settings.sobolev, settings.tolerance)),
-        }
+        let functional = self.settings.functional(self.level.number);
+        let mut assembler: CpuAssembler<D> = CpuAssembler::new(&functional, &self.reference(), &self.template());
+        assembler.gradient(displacement, gradient).await
     }
 }

@@ -7,6 +7,7 @@ pub mod energy;
 pub mod error;
 pub mod field;
 pub mod grid;
+pub mod inverse;
 pub mod metric;
 pub mod minimize;
 pub mod multigrid;
@@ -15,6 +16,7 @@ pub mod quadrature;
 pub mod ready;
 pub mod report;
 pub mod settings;
+pub mod shape;
 pub mod small;
 pub mod stencil;
 #[cfg(target_arch = "wasm32")]

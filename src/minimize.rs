@@ -20,6 +20,8 @@ pub enum Stop {
     NoDescent,
     /// The limit of iterations a level is reached.
     IterationLimit,
+    /// The inverse of a match found with exchanged roles has had its few iterations.
+    Refined,
 }
 
 impl fmt::Display for Stop {
@@ -27,6 +29,7 @@ impl fmt::Display for Stop {
         f.write_str(match self {
             Stop::Converged => "Converged: the energy falls by less than the tolerance.",
             Stop::NoDescent => "Stopped: no step along the descent direction lowers the energy any further.",
+            Stop::Refined => "Done: matched from the shorter template to the reference, inverted and refined.",
             Stop::IterationLimit => "Stopped: the limit of iterations on one level is reached.",
         })
     }

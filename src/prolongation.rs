@@ -33,6 +33,18 @@ pub fn prolongate<const D: usize>(coarse: Grid<D>, values: &[f64]) -> Vec<f64> {
     result
 }
 
+/// The field on the grid with half the cells a side: its values at the nodes that remain.
+pub fn coarsen<const D: usize>(fine: Grid<D>, values: &[f64]) -> Vec<f64> {
+    assert_eq!(values.len(), fine.node_count() * D);
+    let coarse = Grid::<D>::new(fine.cells() / 2);
+    (0..coarse.node_count())
+        .flat_map(|node| {
+            let source = fine.node(coarse.node_index(node).map(|i| 2 * i)) * D;
+            values[source..source + D].iter().copied()
+        })
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -43,6 +55,7 @@ mod tests {
         let values: Vec<f64> = (0..coarse.node_count() * D).map(|k| ((k * k) as f64).sin()).collect();
         let fine = Grid::<D>::new(8);
         let result = prolongate(coarse, &values);
+        assert_eq!(coarsen(fine, &result), values);
         for node in 0..fine.node_count() {
             let expected = interpolate::<D, D>(coarse, &values, &fine.position(node));
             for k in 0..D {

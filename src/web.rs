@@ -7,10 +7,10 @@ use crate::distance::SignedDistance;
 use crate::energy::{BendingModel, Cutoff, Energies as Weighted, Material};
 use crate::error::{Error, ShapeError};
 use crate::field::interpolate;
-use crate::grid::Grid;
 use crate::ready::ready;
 use crate::report::report;
 use crate::settings::{Alignment, MinimizerKind, Settings as Chosen};
+use crate::shape::Shape;
 use glam::DVec2;
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,13 @@ export type Shape =
   | { kind: "mask"; width: number; height: number; data: Uint8Array }
   /** A closed triangle mesh (3D; not supported yet). */
   | { kind: "mesh"; positions: Float64Array; indices: Uint32Array };
+
+/** What to replace; the rest stays. */
+export interface Update {
+  reference?: Shape;
+  template?: Shape;
+  settings?: Partial<Settings>;
+}
 
 /** Closed polylines, x y x y …; `matched` is φ of `reference`, point by point. */
 export interface Curves {
@@ -285,8 +292,19 @@ impl From<&Evaluated> for Energies {
 #[wasm_bindgen]
 pub struct Registration {
     cascade: Cascade<2>,
-    /// M1 on the level it was extracted on.
-    reference: (u32, Vec<Vec<DVec2>>),
+    source: Source,
+    /// The zero sets of reference and template, and the level they were extracted on.
+    curves: [Vec<Vec<DVec2>>; 2],
+    curves_level: u32,
+}
+
+/// What a registration was made of, so that a part of it can be replaced.
+#[derive(Clone)]
+struct Source {
+    reference: Shape,
+    template: Shape,
+    /// The settings as given.
+    settings: Object,
 }
 
 #[wasm_bindgen]
@@ -297,12 +315,39 @@ impl Registration {
         #[wasm_bindgen(unchecked_param_type = "Shape")] template: JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "Partial<Settings>")] settings: JsValue,
     ) -> Result<Registration, JsError> {
-        let settings = read_settings(settings)?.chosen()?;
-        let reference = read_shape("reference", &reference, settings.finest)?;
-        let template = read_shape("template", &template, settings.finest)?;
+        let source = Source {
+            reference: read_shape("reference", &reference)?,
+            template: read_shape("template", &template)?,
+            settings: merged(&Object::new(), settings)?,
+        };
+        let (settings, [reference, template]) = source.prepare()?;
         let cascade = Cascade::new(reference, template, settings).await?;
-        let curve = (settings.coarsest, zero_set(cascade.grid(), cascade.reference().values()));
-        Ok(Self { cascade, reference: curve })
+        let mut registration = Self { cascade, source, curves: Default::default(), curves_level: 0 };
+        registration.extract_curves();
+        Ok(registration)
+    }
+
+    /// Goes on from the present deformation with other shapes or settings; what is not given stays. Continues on the
+    /// current level, or the nearest one of the new settings, so that a small change costs a few iterations only.
+    /// Rejects like `create`, and then nothing has changed.
+    #[wasm_bindgen(unchecked_return_type = "Status")]
+    pub async fn update(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Update")] change: JsValue,
+    ) -> Result<JsValue, JsError> {
+        let mut source = self.source.clone();
+        for (name, shape) in [("reference", &mut source.reference), ("template", &mut source.template)] {
+            let given = property("update", &change, name)?;
+            if !given.is_undefined() {
+                *shape = read_shape(name, &given)?;
+            }
+        }
+        source.settings = merged(&source.settings, property("update", &change, "settings")?)?;
+        let (settings, [reference, template]) = source.prepare()?;
+        self.cascade.update(reference, template, settings).await?;
+        self.source = source;
+        self.extract_curves();
+        self.status()
     }
 
     /// Does up to `iterations` iterations; nothing once finished.
@@ -348,16 +393,12 @@ impl Registration {
     /// The zero sets on the current level, and φ of the reference's.
     #[wasm_bindgen(unchecked_return_type = "Curves")]
     pub fn curves(&mut self) -> JsValue {
-        let template = zero_set(self.cascade.grid(), self.cascade.template().values());
-        self.update_reference();
-        let matched: Vec<Vec<DVec2>> = self
-            .reference
-            .1
-            .iter()
-            .map(|polyline| polyline.iter().map(|&point| self.move_point(point)).collect())
-            .collect();
+        self.update_curves();
+        let [reference, template] = &self.curves;
+        let matched: Vec<Vec<DVec2>> =
+            reference.iter().map(|polyline| polyline.iter().map(|&point| self.move_point(point)).collect()).collect();
         let curves = Object::new();
-        for (name, polylines) in [("reference", &self.reference.1), ("template", &template), ("matched", &matched)] {
+        for (name, polylines) in [("reference", reference), ("template", template), ("matched", &matched)] {
             let arrays: Array = polylines
                 .iter()
                 .map(|polyline| {
@@ -383,22 +424,23 @@ impl Registration {
         point + DVec2::from(interpolate::<2, 2>(self.cascade.grid(), self.cascade.displacement(), &point.to_array()))
     }
 
-    fn update_reference(&mut self) {
-        let level = self.cascade.progress().level;
-        if self.reference.0 != level {
-            self.reference = (level, zero_set(self.cascade.grid(), self.cascade.reference().values()));
+    fn update_curves(&mut self) {
+        if self.curves_level != self.cascade.progress().level {
+            self.extract_curves();
         }
     }
 
+    fn extract_curves(&mut self) {
+        self.curves_level = self.cascade.progress().level;
+        self.curves =
+            [self.cascade.reference(), self.cascade.template()].map(|shape| zero_set(shape.grid(), shape.values()));
+    }
+
     fn status(&mut self) -> Result<JsValue, JsError> {
-        self.update_reference();
+        self.update_curves();
         let progress = self.cascade.progress();
-        let quality = report(
-            self.cascade.grid(),
-            &self.reference.1,
-            self.cascade.template().values(),
-            self.cascade.displacement(),
-        );
+        let quality =
+            report(self.cascade.grid(), &self.curves[0], self.cascade.template().values(), self.cascade.displacement());
         to_js(&Status {
             finished: progress.stop.is_some(),
             stop: progress.stop.map(|stop| stop.to_string()),
@@ -424,11 +466,38 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsError> {
     value.serialize(&serializer).map_err(|error| JsError::new(&error.to_string()))
 }
 
-fn read_settings(settings: JsValue) -> Result<Settings, JsError> {
-    if settings.is_undefined() || settings.is_null() {
-        return Ok(Settings::default());
+impl Source {
+    fn prepare(&self) -> Result<(Chosen, [SignedDistance<2>; 2]), JsError> {
+        let settings = read_settings(&self.settings)?.chosen()?;
+        let distance = |name, shape: &Shape| {
+            shape.distance(settings.finest).map_err(|problem| Error::Shape { shape: name, problem })
+        };
+        Ok((settings, [distance("reference", &self.reference)?, distance("template", &self.template)?]))
     }
-    serde_path_to_error::deserialize(serde_wasm_bindgen::Deserializer::from(settings)).map_err(|error| {
+}
+
+/// The fields of both; where both have one, the change's.
+fn merged(settings: &Object, change: JsValue) -> Result<Object, JsError> {
+    let fresh = Object::assign(&Object::new(), settings);
+    if change.is_undefined() || change.is_null() {
+        return Ok(fresh);
+    }
+    let Ok(change) = change.dyn_into::<Object>() else {
+        return Err(JsError::new("the settings must be an object, every field optional"));
+    };
+    let fresh = Object::assign(&fresh, &change);
+    for key in Object::keys(&fresh).iter() {
+        // A field set to undefined is one left out.
+        if Reflect::get(&fresh, &key).is_ok_and(|value| value.is_undefined()) {
+            let _ = Reflect::delete_property(&fresh, &key);
+        }
+    }
+    Ok(fresh)
+}
+
+fn read_settings(settings: &Object) -> Result<Settings, JsError> {
+    let deserializer = serde_wasm_bindgen::Deserializer::from(JsValue::from(settings));
+    serde_path_to_error::deserialize(deserializer).map_err(|error| {
         let name = error.path().to_string();
         let problem = error.into_inner();
         JsError::new(&if name == "." { format!("settings: {problem}") } else { format!("{name}: {problem}") })
@@ -445,52 +514,32 @@ fn check_array(name: &'static str, values: &[f64], expected: usize, why: impl Fn
     }
 }
 
-fn read_shape(name: &'static str, shape: &JsValue, finest: u32) -> Result<SignedDistance<2>, JsError> {
-    let grid = Grid::of_level(finest);
-    let distance = match text(name, shape, "kind")?.as_str() {
-        "curves" => SignedDistance::from_loops(grid, &read_loops(name, &property(name, shape, "loops")?)?),
+fn read_shape(name: &'static str, shape: &JsValue) -> Result<Shape, JsError> {
+    let unsupported =
+        |problem: String| Err(Error::Shape { shape: name, problem: ShapeError::Unsupported(problem) }.into());
+    match text(name, shape, "kind")?.as_str() {
+        "curves" => Ok(Shape::Curves(read_loops(name, &property(name, shape, "loops")?)?)),
         "mask" => {
             let data: Uint8Array = typed(name, shape, "data", "a Uint8Array")?;
             let (width, height) = (count(name, shape, "width")?, count(name, shape, "height")?);
-            SignedDistance::from_mask(grid, width, height, &data.to_vec())
+            Ok(Shape::Mask { width, height, data: data.to_vec() })
         }
         "levelSet" => {
             let values: Float64Array = typed(name, shape, "values", "a Float64Array")?;
             let (cells, dim) = (count(name, shape, "cells")?, count(name, shape, "dim")?);
-            let redistance = property(name, shape, "redistance")?;
-            let Some(redistance) = redistance.as_bool() else {
+            let Some(redistance) = property(name, shape, "redistance")?.as_bool() else {
                 return Err(wrong(name, "redistance", "true or false"));
             };
-            read_level_set(grid, cells, dim, values.to_vec(), redistance)
+            if dim != 2 {
+                return unsupported(format!("has dimension {dim}; only 2D shapes can be registered so far"));
+            }
+            Ok(Shape::LevelSet { cells, values: values.to_vec(), redistance })
         }
-        "mesh" => Err(ShapeError::Unsupported("is a mesh; only 2D shapes can be registered so far".into())),
-        other => Err(ShapeError::Unsupported(format!(
-            "has the unknown kind \"{other}\"; use \"curves\", \"levelSet\", \"mask\" or \"mesh\""
-        ))),
-    };
-    distance.map_err(|problem| Error::Shape { shape: name, problem }.into())
-}
-
-fn read_level_set(
-    grid: Grid<2>,
-    cells: usize,
-    dim: usize,
-    values: Vec<f64>,
-    redistance: bool,
-) -> Result<SignedDistance<2>, ShapeError> {
-    if dim != 2 {
-        return Err(ShapeError::Unsupported(format!("has dimension {dim}; only 2D shapes can be registered so far")));
+        "mesh" => unsupported("is a mesh; only 2D shapes can be registered so far".into()),
+        other => {
+            unsupported(format!("has the unknown kind \"{other}\"; use \"curves\", \"levelSet\", \"mask\" or \"mesh\""))
+        }
     }
-    if !cells.is_power_of_two() || !(4..=4096).contains(&cells) {
-        return Err(ShapeError::LevelSetCells { cells, least: 4, most: 4096 });
-    }
-    let given = Grid::new(cells);
-    let distance = if redistance {
-        SignedDistance::redistance(given, &values)?
-    } else {
-        SignedDistance::from_level_set(given, values)?
-    };
-    Ok(distance.to_cells(grid.cells()))
 }
 
 fn read_loops(name: &'static str, loops: &JsValue) -> Result<Vec<Vec<DVec2>>, JsError> {

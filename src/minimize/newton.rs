@@ -15,6 +15,9 @@ const MAX_LINEAR_ITERATIONS: usize = 40;
 const ARMIJO: f64 = 1e-4;
 /// Halvings of a step before the direction is given up for a shorter, more cautious one.
 const MAX_HALVINGS: usize = 6;
+/// A step leaves at least this share of the least determinant: next to a fold the quadratic model is worthless, and
+/// a weak volume energy would not keep the iterates away from there.
+const DETERMINANT_KEPT: f64 = 0.2;
 /// Levenberg shifts, in units of the mean diagonal entry; none at first.
 const FIRST_SHIFT: f32 = 1e-3;
 /// One nearly folded cell can be this much stiffer than the mean; only its own curvature makes its step short enough.
@@ -75,7 +78,11 @@ impl<const D: usize> Newton<D> {
     }
 
     /// Halves the step until the energy falls enough; none if it does not.
-    async fn backtrack(&mut self, assembler: &mut impl Assembler<D>, value: f64) -> (usize, Option<(f64, Evaluation)>) {
+    async fn backtrack(
+        &mut self,
+        assembler: &mut impl Assembler<D>,
+        before: Evaluation,
+    ) -> (usize, Option<(f64, Evaluation)>) {
         let slope = -inner(&self.descent, &self.direction);
         if !(slope < 0.0) {
             return (0, None);
@@ -86,7 +93,8 @@ impl<const D: usize> Newton<D> {
                 *t = u + step * d;
             }
             let evaluation = assembler.energy(&self.trial).await;
-            if evaluation.total() <= value + ARMIJO * step * slope {
+            let enough = evaluation.total() <= before.total() + ARMIJO * step * slope;
+            if enough && evaluation.least_determinant >= DETERMINANT_KEPT * before.least_determinant {
                 return (halvings + 1, Some((step, evaluation)));
             }
             step *= 0.5;
@@ -117,7 +125,7 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
             added = wanted;
             self.multigrid.prepare();
             self.multigrid.solve(&self.descent, FORCING, MAX_LINEAR_ITERATIONS, &mut self.direction);
-            let (evaluations, moved) = self.backtrack(assembler, evaluation.total()).await;
+            let (evaluations, moved) = self.backtrack(assembler, evaluation).await;
             progress.evaluations += evaluations;
             if let Some((step, evaluation)) = moved {
                 std::mem::swap(&mut self.displacement, &mut self.trial);

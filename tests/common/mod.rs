@@ -65,3 +65,33 @@ pub fn blob(random: &mut Random, centre: [f64; 2], radius: f64) -> Vec<DVec2> {
         radius * (1.0 + harmonics.iter().map(|[k, size, phase]| size * (k * theta + phase).cos()).sum::<f64>())
     })
 }
+
+/// The image of a curve under a turn, a scaling about its own centre `from`, and a shift of the centre to `to`.
+pub fn moved(curve: &[DVec2], from: [f64; 2], to: [f64; 2], angle: f64, scale: f64) -> Vec<DVec2> {
+    let turn = scale * DVec2::from_angle(angle);
+    curve.iter().map(|&p| DVec2::from(to) + turn.rotate(p - DVec2::from(from))).collect()
+}
+
+/// A random pair: two blobs, or two stars with as many tips but of different depths; the second turned by up to ±60°,
+/// scaled by 0.6 to 1.6 and shifted by up to 0.12.
+pub fn random_pair(random: &mut Random) -> [Vec<DVec2>; 2] {
+    let centre = [0.5, 0.5];
+    let scale = random.between(0.6, 1.6);
+    // The larger of the two has radius 0.2, so that it stays in the box when shifted.
+    let radius = 0.2 / scale.max(1.0);
+    let blobs = random.next() % 2 == 0;
+    let tips = 3 + (random.next() % 4) as u32;
+    let mut shape = || {
+        if blobs {
+            blob(random, centre, radius)
+        } else {
+            let (depth, angle) = (random.between(0.1, 0.3), random.between(-0.2, 0.2));
+            star(centre, radius, tips, depth, angle)
+        }
+    };
+    let (reference, template) = (shape(), shape());
+    let shift = random.between(0.0, 0.12) * DVec2::from_angle(random.between(0.0, TAU));
+    let to = [centre[0] + shift.x, centre[1] + shift.y];
+    let angle = random.between(-60_f64, 60.0).to_radians();
+    [reference, moved(&template, centre, to, angle, scale)]
+}

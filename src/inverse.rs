@@ -1,0 +1,109 @@
+//! The inverse of a deformation.
+
+use crate::field::{interpolate, interpolate_derivative};
+use crate::grid::Grid;
+use crate::small::{apply, cofactor, dot};
+
+/// Newton steps for one node, and the residual (in cells) below which it is found.
+const MAX_STEPS: usize = 50;
+const ACCURACY: f64 = 1e-8;
+
+/// The displacement of φ⁻¹ at the nodes, φ = x + u; none if some node has no preimage that Newton's method finds.
+///
+/// Each node starts from the preimage of its neighbour. Beyond φ's image of the box the boundary cell's polynomial
+/// goes on, as it does in [`interpolate`].
+pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec<f64>> {
+    let mut inverse = vec![0.0; displacement.len()];
+    for node in 0..grid.node_count() {
+        let target = grid.position(node);
+        let before = [1, grid.side()].into_iter().find(|&back| node >= back && (back > 1 || node % grid.side() != 0));
+        let guess: [f64; D] = match before {
+            Some(back) => {
+                let position = grid.position(node - back);
+                std::array::from_fn(|k| position[k] + inverse[(node - back) * D + k])
+            }
+            None => target,
+        };
+        let preimage = solve(grid, displacement, &target, guess)?;
+        for k in 0..D {
+            inverse[node * D + k] = preimage[k] - target[k];
+        }
+    }
+    Some(inverse)
+}
+
+fn solve<const D: usize>(grid: Grid<D>, displacement: &[f64], target: &[f64; D], mut x: [f64; D]) -> Option<[f64; D]> {
+    let residual = |x: &[f64; D]| -> [f64; D] {
+        let u = interpolate::<D, D>(grid, displacement, x);
+        std::array::from_fn(|k| x[k] + u[k] - target[k])
+    };
+    let mut defect = residual(&x);
+    for _ in 0..MAX_STEPS {
+        let size = dot(&defect, &defect);
+        if size.sqrt() * grid.cells() as f64 <= ACCURACY {
+            return Some(x);
+        }
+        let mut jacobian = interpolate_derivative::<D, D>(grid, displacement, &x);
+        for (k, row) in jacobian.iter_mut().enumerate() {
+            row[k] += 1.0;
+        }
+        let cof = cofactor(&jacobian);
+        let det = dot(&jacobian[0], &cof[0]);
+        // J⁻¹ = cofᵀ/det.
+        let transposed: [[f64; D]; D] = std::array::from_fn(|i| std::array::from_fn(|j| cof[j][i] / det));
+        let step = apply(&transposed, &defect);
+        let mut length = 1.0;
+        loop {
+            let trial: [f64; D] = std::array::from_fn(|k| x[k] - length * step[k]);
+            let next = residual(&trial);
+            if dot(&next, &next) < size {
+                (x, defect) = (trial, next);
+                break;
+            }
+            length *= 0.5;
+            if length < 1e-6 {
+                return None;
+            }
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn inverse_undoes<const D: usize>() {
+        let grid = Grid::<D>::new(16);
+        let wave = |x: f64| 0.04 * (5.0 * x).sin();
+        let displacement: Vec<f64> = (0..grid.node_count())
+            .flat_map(|node| {
+                let x = grid.position(node);
+                std::array::from_fn::<f64, D, _>(|k| wave(x[(k + 1) % D]) + 0.2 * (x[k] - 0.5))
+            })
+            .collect();
+        let inverse = invert(grid, &displacement).expect("a bijection");
+        for node in 0..grid.node_count() {
+            let y = grid.position(node);
+            let x: [f64; D] = std::array::from_fn(|k| y[k] + inverse[node * D + k]);
+            let u = interpolate::<D, D>(grid, &displacement, &x);
+            for k in 0..D {
+                assert!((x[k] + u[k] - y[k]).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn the_inverse_undoes_the_deformation_at_the_nodes() {
+        inverse_undoes::<2>();
+        inverse_undoes::<3>();
+    }
+
+    #[test]
+    fn a_collapsed_deformation_has_no_inverse() {
+        let grid = Grid::<2>::new(4);
+        let displacement: Vec<f64> =
+            (0..grid.node_count()).flat_map(|node| grid.position(node).map(|x| 0.5 - x)).collect();
+        assert!(invert(grid, &displacement).is_none());
+    }
+}

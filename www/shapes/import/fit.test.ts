@@ -1,0 +1,88 @@
+import { expect, test } from "vitest";
+import { bounds, type Loop, perimeter, type Shape } from "../geometry";
+import { PRESETS } from "../presets";
+import { CELL, divided, MOST_POINTS, prepared, simplified, thinned } from "./fit";
+
+const FIT = { parts: "all", holes: "keep", placement: "fit" } as const;
+
+function polar(radius: (t: number) => number, count: number, x = 0, y = 0): Loop {
+  return Float64Array.from(
+    Array.from({ length: count }, (_, i) => (2 * Math.PI * i) / count).flatMap((t) => [
+      x + radius(t) * Math.cos(t),
+      y + radius(t) * Math.sin(t),
+    ]),
+  );
+}
+
+/** The greatest distance of a point of `loop` from the polygon `other`. */
+function furthest(loop: Loop, other: Loop): number {
+  let worst = 0;
+  for (let k = 0; k < loop.length; k += 2) {
+    let least = Infinity;
+    for (let i = 0, j = other.length - 2; i < other.length; j = i, i += 2) {
+      const [u, v] = [other[i] - other[j], other[i + 1] - other[j + 1]];
+      const [x, y] = [loop[k] - other[j], loop[k + 1] - other[j + 1]];
+      const t = Math.min(1, Math.max(0, (x * u + y * v) / (u * u + v * v)));
+      least = Math.min(least, Math.hypot(x - t * u, y - t * v));
+    }
+    worst = Math.max(worst, least);
+  }
+  return worst;
+}
+
+test("any size and place comes to the middle of the box, with a margin", () => {
+  for (const scale of [1e-6, 1, 1e6]) {
+    const loop = polar((t) => scale * (1 + 0.3 * Math.cos(3 * t)), 300, 7 * scale, -3 * scale);
+    const box = bounds(prepared([loop], FIT).shape);
+    expect(Math.min(box?.left ?? 0, box?.bottom ?? 0)).toBeGreaterThanOrEqual(0.17);
+    expect(Math.max(box?.right ?? 1, box?.top ?? 1)).toBeLessThanOrEqual(0.83);
+    expect((box?.left ?? 0) + (box?.right ?? 0)).toBeCloseTo(1, 9);
+  }
+});
+
+test("a thousand points become at most six hundred, nowhere further off than the tolerance, with even edges", () => {
+  for (const count of [5, 40, 1000, 20_000]) {
+    const loop = polar((t) => 0.25 + 0.05 * Math.cos(7 * t) + 0.01 * Math.sin(31 * t), count, 0.5, 0.5);
+    const { points, tolerance } = simplified(loop);
+    expect(points.length / 2).toBeLessThanOrEqual(MOST_POINTS);
+    expect(furthest(loop, points)).toBeLessThanOrEqual(tolerance * (1 + 1e-9));
+    expect(furthest(points, loop)).toBeLessThanOrEqual(tolerance * (1 + 1e-9));
+    expect(tolerance).toBeLessThan(CELL / 10);
+    // Longer edges would make the first pull on the curve resample it and round its corners.
+    let longest = 0;
+    for (let i = 0, j = points.length - 2; i < points.length; j = i, i += 2) {
+      longest = Math.max(longest, Math.hypot(points[i] - points[j], points[i + 1] - points[j + 1]));
+    }
+    expect(longest).toBeLessThanOrEqual((2.5 * perimeter(points)) / (points.length / 2));
+  }
+});
+
+test("corners stay to the bit", () => {
+  const square = divided(Float64Array.of(0.2, 0.2, 0.8, 0.2, 0.8, 0.8, 0.2, 0.8), 0.001);
+  expect([...thinned(square, 1e-9)]).toEqual([0.2, 0.2, 0.8, 0.2, 0.8, 0.8, 0.2, 0.8]);
+});
+
+test("shapes that lie in the box already can stay where they are", () => {
+  for (const { reference } of PRESETS) {
+    const { shape } = prepared(reference, { ...FIT, placement: "asIs" });
+    shape.forEach((loop, l) => {
+      expect(furthest(reference[l], loop)).toBeLessThan(0.1 * CELL);
+      expect(furthest(loop, reference[l])).toBeLessThan(0.1 * CELL);
+    });
+  }
+});
+
+test("specks are left out, said to be, and do not make the rest small", () => {
+  const body = polar(() => 1, 100);
+  const speck = polar(() => 1e-3, 10, 5, 0);
+  const { shape, notes } = prepared([body, speck], FIT);
+  expect(shape).toHaveLength(1);
+  expect(notes.join()).toContain("1 speck smaller than a cell is left out.");
+  const box = bounds(shape);
+  expect((box?.right ?? 0) - (box?.left ?? 0)).toBeCloseTo(0.6, 6);
+});
+
+test("nothing but specks is refused", () => {
+  const speck: Shape = [polar(() => 1e-4, 10, 0.5, 0.5)];
+  expect(() => prepared(speck, { ...FIT, placement: "asIs" })).toThrow(/larger than a cell/);
+});

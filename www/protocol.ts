@@ -8,6 +8,9 @@ import type { Curves, Settings, Shape, Status } from "./wasm/thinshell.js";
 
 export type { Curves, Settings, Shape, Status };
 
+/** The weighted energies after one iteration. */
+export type Iteration = Status["energies"] & { readonly level: number; readonly iteration: number };
+
 export type Request =
   /** First message of a worker's life: the compiled solver, so that no worker ever needs the network. */
   | { readonly kind: "load"; readonly module: WebAssembly.Module }
@@ -32,6 +35,8 @@ export type Reply =
       /** φ at the nodes of the level, x y a node, x fastest. */
       readonly deformation: Float64Array;
       readonly curves: Curves;
+      /** Every iteration since the last frame, this one's included. */
+      readonly trail: readonly Iteration[];
     }
   /** The solver does not take this input: a sentence with the remedy. */
   | { readonly kind: "refused"; readonly run: number; readonly message: string }

@@ -2,14 +2,13 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import { begun, changed, type History, redone, undone } from "./history";
-import type { FrameReply } from "./protocol";
+import type { FrameReply, Iteration } from "./protocol";
 import type { MatchRecord } from "./record";
 import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
 import { fitted, type Shape } from "./shapes/geometry";
 import type { Preset } from "./shapes/presets";
 import { Solver } from "./solver";
 import { encode, type Opened, open, remember } from "./state";
-import type { EnergyPoint } from "./view/chart";
 
 export type Side = "reference" | "template";
 export type Phase = "idle" | "solving" | "paused" | "finished";
@@ -39,7 +38,7 @@ export class Session {
   private readonly moving = signal<{ readonly side: Side; readonly shape: Shape } | null>(null);
   readonly settings = signal<Chosen>({});
   readonly phase = signal<Phase>("idle");
-  readonly energies = signal<readonly EnergyPoint[]>([]);
+  readonly energies = signal<readonly Iteration[]>([]);
   readonly problem = signal<string | null>(null);
   /** 0 shows the identity, 1 the match. */
   readonly morph = signal(1);
@@ -149,7 +148,7 @@ export class Session {
     this.energies.value = [];
     this.morph.value = 1;
     this.solved.value = { reference, template };
-    this.frame.value = { kind: "frame", run: 0, ...match };
+    this.frame.value = { kind: "frame", run: 0, trail: [], ...match };
     this.fresh.value = true;
     this.phase.value = "finished";
   }
@@ -216,8 +215,7 @@ export class Session {
     const { status } = frame;
     this.frame.value = frame;
     this.fresh.value = true;
-    const { total, mismatch } = status.energies;
-    this.energies.value = [...this.energies.value, { level: status.level, total, mismatch }];
+    this.energies.value = [...this.energies.value, ...frame.trail];
     if (status.finished) this.phase.value = "finished";
   }
 

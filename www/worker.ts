@@ -3,7 +3,7 @@
  * and goes on. The only importer of the wasm package; formulas and policies live in the solver.
  */
 
-import type { Reply, Request } from "./protocol";
+import type { Iteration, Reply, Request, Status } from "./protocol";
 import init, { Registration } from "./wasm/thinshell.js";
 
 /** Solving between two looks at the message queue. */
@@ -41,6 +41,8 @@ const running = {
   run: -1,
   registration: null as Registration | null,
   finished: false,
+  /** Iterations that no frame has shown yet. */
+  trail: [] as Iteration[],
 };
 
 async function loop(): Promise<never> {
@@ -65,6 +67,7 @@ async function begin(start: Start): Promise<void> {
   drop();
   running.run = start.run;
   running.finished = false;
+  running.trail = [];
   lastFrameTaken = true;
   try {
     running.registration = await Registration.create(start.reference, start.template, start.settings);
@@ -81,15 +84,20 @@ function drop(): void {
 
 async function solve(registration: Registration): Promise<void> {
   const until = performance.now() + CHUNK_MILLIS;
-  let status = await registration.step(1);
-  while (!status.finished && performance.now() < until) status = await registration.step(1);
+  let status: Status;
+  do {
+    status = await registration.step(1);
+    running.trail.push({ ...status.energies, level: status.level, iteration: status.iteration });
+  } while (!status.finished && performance.now() < until);
   running.finished = status.finished;
   // The last frame carries the result, so it always goes out.
   if (!lastFrameTaken && !status.finished) return;
   const deformation = registration.deformation();
   const curves = registration.curves();
+  const { trail } = running;
+  running.trail = [];
   lastFrameTaken = false;
-  post({ kind: "frame", run: running.run, status, deformation, curves }, [
+  post({ kind: "frame", run: running.run, status, deformation, curves, trail }, [
     deformation.buffer as ArrayBuffer,
     ...[...curves.reference, ...curves.template, ...curves.matched].map((curve) => curve.buffer as ArrayBuffer),
   ]);

@@ -20,7 +20,7 @@ test("two curves drawn with the mouse are matched within half a cell and without
   expect(await value(page, "level")).toBe(7);
   expect(await value(page, "iteration")).toBeGreaterThan(0);
   expect(await value(page, "total")).toBeGreaterThan(0);
-  await expect(page.getByRole("status")).toContainText("Done: ");
+  await expect(page.getByRole("status")).toContainText("Converged");
   await expect(result(page)).toHaveAttribute("aria-label", /matched, at most .* cells off/);
 
   const picture = await paint(result(page));

@@ -79,7 +79,7 @@ function headline(session: Session, status: Status | undefined): string {
       return "Paused.";
     case "finished":
       if (!status) return "The shapes have changed: press Match.";
-      return `Done: ${status.stop ?? "finished"}.`.replace("..", ".");
+      return status.stop ?? "Finished.";
   }
 }
 

@@ -121,12 +121,7 @@ export function pixelY(frame: Frame, y: number): number {
 }
 
 /** Adds a polyline of interleaved points to the current path. */
-export function trace(
-  context: CanvasRenderingContext2D,
-  frame: Frame,
-  points: ArrayLike<number>,
-  close: boolean,
-): void {
+export function trace(context: CanvasPath, frame: Frame, points: ArrayLike<number>, close: boolean): void {
   for (let i = 0; i + 1 < points.length; i += 2) {
     const x = pixelX(frame, points[i]);
     const y = pixelY(frame, points[i + 1]);

@@ -1,6 +1,6 @@
 /** Curves coloured by the reference's arc length: equal colours are matched points. */
 
-import { type Frame, pixelX, pixelY } from "./canvas";
+import { type Frame, pixelX, pixelY, trace } from "./canvas";
 import { onCycle } from "./palette";
 
 /** A closed polyline with, at each point, the part 0…1 of the reference's whole length reached there. */
@@ -56,30 +56,67 @@ export function blended(from: Float64Array, to: Float64Array, s: number): Float6
   return out;
 }
 
-/** Strokes the loop, each piece in the colour of the point it starts from. Width in device pixels. */
+/**
+ * Strokes the loops in the colours of their points. Width in device pixels; the context's opacity holds for all.
+ *
+ * Short coloured pieces one after another would show their joints, where two soft edges overlap. So the whole line is
+ * drawn once, and its colours are laid into it from wider pieces.
+ */
 export function strokeColoured(
   context: CanvasRenderingContext2D,
   frame: Frame,
-  loop: ColouredLoop,
+  loops: readonly ColouredLoop[],
   colours: readonly string[],
   width: number,
 ): void {
+  const layer = layerOf(frame);
+  layer.globalCompositeOperation = "source-over";
+  layer.clearRect(0, 0, frame.width, frame.height);
+  layer.lineJoin = "round";
+  layer.lineWidth = width;
+  layer.beginPath();
+  for (const loop of loops) trace(layer, frame, loop.points, true);
+  layer.stroke();
+  layer.globalCompositeOperation = "source-atop";
+  layer.lineWidth = width + 2;
+  layer.lineCap = "round";
+  for (const loop of loops) layColours(layer, frame, loop, colours);
+  const { width: across, height: down } = frame;
+  context.drawImage(layer.canvas, 0, 0, across, down, 0, 0, across, down);
+}
+
+function layColours(
+  layer: OffscreenCanvasRenderingContext2D,
+  frame: Frame,
+  loop: ColouredLoop,
+  colours: readonly string[],
+): void {
   const count = loop.parts.length;
-  context.lineWidth = width;
-  context.lineCap = "round";
-  context.lineJoin = "round";
   let colour = "";
   for (let i = 0; i < count; i += 1) {
     const next = onCycle(colours, loop.parts[i]);
     if (next !== colour) {
-      if (colour) context.stroke();
+      if (colour) layer.stroke();
       colour = next;
-      context.strokeStyle = colour;
-      context.beginPath();
-      context.moveTo(pixelX(frame, loop.points[2 * i]), pixelY(frame, loop.points[2 * i + 1]));
+      layer.strokeStyle = colour;
+      layer.beginPath();
+      layer.moveTo(pixelX(frame, loop.points[2 * i]), pixelY(frame, loop.points[2 * i + 1]));
     }
     const j = (i + 1) % count;
-    context.lineTo(pixelX(frame, loop.points[2 * j]), pixelY(frame, loop.points[2 * j + 1]));
+    layer.lineTo(pixelX(frame, loop.points[2 * j]), pixelY(frame, loop.points[2 * j + 1]));
   }
-  if (colour) context.stroke();
+  if (colour) layer.stroke();
+}
+
+let scratch: OffscreenCanvasRenderingContext2D | null = null;
+
+/** One layer for all canvases, as large as the largest so far: a new one for each drawing would cost more than it. */
+function layerOf({ width, height }: Frame): OffscreenCanvasRenderingContext2D {
+  const before = scratch?.canvas ?? { width: 0, height: 0 };
+  if (!scratch || before.width < width || before.height < height) {
+    const size = [Math.max(width, before.width), Math.max(height, before.height)] as const;
+    scratch = new OffscreenCanvas(...size).getContext("2d");
+  }
+  if (!scratch) throw new Error("this browser gives no 2D canvas; use a current Firefox, Chrome or Safari");
+  return scratch;
 }

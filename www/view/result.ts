@@ -65,15 +65,15 @@ export function drawResult(context: CanvasRenderingContext2D, frame: Frame, colo
 
   const parts = arcLengthParts(reference);
   if (!match) {
-    for (const loop of zip(reference, parts)) strokeColoured(context, frame, loop, colours.cycle, 2.5 * ratio);
+    strokeColoured(context, frame, zip(reference, parts), colours.cycle, 2.5 * ratio);
     return;
   }
   context.globalAlpha = 0.75;
   drawTicks(context, frame, colours, match, parts, morph);
-  for (const loop of zip(reference, parts)) strokeColoured(context, frame, loop, colours.cycle, 1.5 * ratio);
+  strokeColoured(context, frame, zip(reference, parts), colours.cycle, 1.5 * ratio);
   context.globalAlpha = 1;
   const moved = match.curves.matched.map((points, i) => blended(match.curves.reference[i], points, morph));
-  for (const loop of zip(moved, parts)) strokeColoured(context, frame, loop, colours.cycle, 3.25 * ratio);
+  strokeColoured(context, frame, zip(moved, parts), colours.cycle, 3.25 * ratio);
 }
 
 export function zip(loops: readonly Float64Array[], parts: readonly Float64Array[]): ColouredLoop[] {

@@ -36,7 +36,7 @@ export function drawSketch(context: CanvasRenderingContext2D, frame: Frame, colo
   context.fill("nonzero");
   context.globalAlpha = 1;
   if (scene.coloured) {
-    for (const loop of scene.coloured) strokeColoured(context, frame, loop, colours.cycle, 3 * ratio);
+    strokeColoured(context, frame, scene.coloured, colours.cycle, 3 * ratio);
   } else {
     context.strokeStyle = own;
     context.lineWidth = 2.25 * ratio;

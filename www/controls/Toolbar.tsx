@@ -7,7 +7,7 @@ export function Toolbar({ session }: { session: Session }) {
   const working = phase === "solving" || phase === "paused";
   const { reference, template } = session.shapes.value;
   return (
-    <div class="toolbar" role="group" aria-label="Actions">
+    <div class="toolbar">
       <div class="group">
         <button type="button" class="primary" onClick={() => session.start()}>
           Match

@@ -2,17 +2,80 @@
 
 use crate::field::{interpolate, interpolate_derivative};
 use crate::grid::Grid;
-use crate::small::{apply, cofactor, dot};
+use crate::small::{apply, cofactor, determinant, dot};
+use std::collections::BTreeSet;
 
 /// Newton steps for one node, and the residual (in cells) below which it is found.
 const MAX_STEPS: usize = 50;
 const ACCURACY: f64 = 1e-8;
 
-/// The displacement of φ⁻¹ at the nodes, φ = x + u; none if some node has no preimage that Newton's method finds.
+/// Sweeps of smoothing that may unfold a nodal inverse.
+const MAX_SWEEPS: usize = 50;
+
+/// The displacement of φ⁻¹ at the nodes, φ = x + u; none if some node has no preimage or folds stay.
+///
+/// Where φ⁻¹ varies strongly within a cell, its nodal interpolant may fold though φ⁻¹ does not; nodes of such cells are
+/// moved to the mean of their neighbours until no cell folds.
+pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec<f64>> {
+    let mut inverse = nodal_inverse(grid, displacement)?;
+    for _ in 0..MAX_SWEEPS {
+        let folded = nodes_of_folds(grid, &inverse);
+        if folded.is_empty() {
+            return Some(inverse);
+        }
+        let before = inverse.clone();
+        for node in folded {
+            let index = grid.node_index(node);
+            let (mut sum, mut count) = ([0.0; D], 0.0);
+            for (axis, &i) in index.iter().enumerate() {
+                for neighbour in
+                    [(i > 0).then(|| node - grid.stride(axis)), (i < grid.cells()).then(|| node + grid.stride(axis))]
+                        .into_iter()
+                        .flatten()
+                {
+                    count += 1.0;
+                    for k in 0..D {
+                        sum[k] += before[neighbour * D + k];
+                    }
+                }
+            }
+            for k in 0..D {
+                inverse[node * D + k] = sum[k] / count;
+            }
+        }
+    }
+    None
+}
+
+/// The nodes of all cells with a determinant at some corner that is not positive.
+fn nodes_of_folds<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> BTreeSet<usize> {
+    let offsets = grid.corner_offsets();
+    let mut nodes = BTreeSet::new();
+    for cell in 0..grid.cell_count() {
+        let base = grid.lowest_node(cell);
+        let folds = (0..Grid::<D>::CORNERS).any(|corner| {
+            let jacobian: [[f64; D]; D] = std::array::from_fn(|axis| {
+                let low = base + offsets[corner & !(1 << axis)];
+                let high = low + grid.stride(axis);
+                std::array::from_fn(|k| {
+                    let slope = (displacement[high * D + k] - displacement[low * D + k]) * grid.cells() as f64;
+                    slope + if k == axis { 1.0 } else { 0.0 }
+                })
+            });
+            determinant(&jacobian) <= 0.0
+        });
+        if folds {
+            nodes.extend((0..Grid::<D>::CORNERS).map(|corner| base + offsets[corner]));
+        }
+    }
+    nodes
+}
+
+/// The displacement of φ⁻¹ at each node; none if some node has no preimage that Newton's method finds.
 ///
 /// Each node starts from the preimage of its neighbour. Beyond φ's image of the box the boundary cell's polynomial
 /// goes on, as it does in [`interpolate`].
-pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec<f64>> {
+fn nodal_inverse<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec<f64>> {
     let mut inverse = vec![0.0; displacement.len()];
     for node in 0..grid.node_count() {
         let target = grid.position(node);

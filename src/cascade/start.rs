@@ -8,8 +8,9 @@ use crate::settings::Settings;
 
 /// Similarities that are tried beside the identity.
 const CANDIDATES: usize = 4;
-/// Iterations for each: enough to tell a turned star from a folded one, which the first energy does not.
-const TRIAL_ITERATIONS: usize = 10;
+/// Iterations in each round of trials and how many starts stay in after it. The first energy does not tell a turned star
+/// from a folded one; the energy after some iterations does, and the hopeless need not be followed to the end.
+const ROUNDS: [(usize, usize); 3] = [(5, 3), (5, 2), (10, 1)];
 /// A shell compressed to less than this share of its size crumples rather than shrinks (the paper's Fig. 5).
 const SHORTER: f64 = 0.9;
 
@@ -36,23 +37,25 @@ pub(super) async fn find<const D: usize>(
     starts.truncate(CANDIDATES);
     starts.push((f64::INFINITY, vec![0.0; grid.node_count() * D]));
 
-    let mut best: Option<(f64, Vec<f64>)> = None;
-    for (_, displacement) in starts {
-        let mut minimizer = Newton::new(grid, displacement, settings.tolerance);
-        let mut energy = f64::INFINITY;
-        for _ in 0..TRIAL_ITERATIONS {
-            let progress = minimizer.step(assembler).await;
-            energy = progress.evaluation.total();
-            if progress.stop.is_some() {
-                break;
+    let mut trials: Vec<(f64, Newton<D>)> = starts
+        .into_iter()
+        .map(|(energy, displacement)| (energy, Newton::new(grid, displacement, settings.tolerance)))
+        .collect();
+    for (iterations, remaining) in ROUNDS {
+        for (energy, minimizer) in &mut trials {
+            for _ in 0..iterations {
+                let progress = minimizer.step(assembler).await;
+                *energy = progress.evaluation.total();
+                if progress.stop.is_some() {
+                    break;
+                }
             }
+            *evaluations += iterations;
         }
-        *evaluations += TRIAL_ITERATIONS;
-        if best.as_ref().is_none_or(|(least, _)| energy < *least) {
-            best = Some((energy, minimizer.displacement().to_vec()));
-        }
+        trials.sort_by(|a, b| a.0.total_cmp(&b.0));
+        trials.truncate(remaining);
     }
-    best.expect("the identity is always tried").1
+    trials[0].1.displacement().to_vec()
 }
 
 /// Those entries of a ring whose neighbours have no less energy.

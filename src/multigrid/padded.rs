@@ -4,6 +4,10 @@ use crate::grid::Grid;
 use crate::stencil::{MAX_NEIGHBOURS, StencilOperator};
 use wide::f32x4;
 
+/// Share of the Gauss–Seidel correction that is applied. On the Sobolev operator a cycle reduces the error by 0.20 with
+/// 1, 0.19 with 0.95, 0.17 with 0.9 and 0.23 with 1.1, at worst over the levels.
+const DAMPING: f32 = 0.9;
+
 /// D interleaved components a node; the node with index i sits at index i + 1.
 #[derive(Clone, Copy)]
 pub(super) struct Layout<const D: usize> {
@@ -145,7 +149,7 @@ impl<const D: usize> Layout<D> {
                 }
                 for i in 0..D {
                     for j in 0..D {
-                        x[place + i] += inverse[i * D + j] * defect[j];
+                        x[place + i] += DAMPING * inverse[i * D + j] * defect[j];
                     }
                 }
             }

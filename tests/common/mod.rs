@@ -3,6 +3,11 @@
 
 use glam::DVec2;
 use std::f64::consts::TAU;
+use thinshell::cascade::Cascade;
+use thinshell::distance::SignedDistance;
+use thinshell::grid::Grid;
+use thinshell::ready::ready;
+use thinshell::settings::Settings;
 
 /// r(θ) around `centre`, turned by `angle`, at `count` points.
 pub fn polar(centre: [f64; 2], angle: f64, count: usize, radius: impl Fn(f64) -> f64) -> Vec<DVec2> {
@@ -94,4 +99,28 @@ pub fn random_pair(random: &mut Random) -> [Vec<DVec2>; 2] {
     let to = [centre[0] + shift.x, centre[1] + shift.y];
     let angle = random.between(-60_f64, 60.0).to_radians();
     [reference, moved(&template, centre, to, angle, scale)]
+}
+
+/// Energies (membrane, bending, mismatch, volume) at the end of circle → ellipse on 33², default settings, as the native
+/// build gave them (printed by this function when they do not agree).
+const CIRCLE_TO_ELLIPSE: [f64; 4] =
+    [0.013048579342161783, 0.014062602157080089, 0.0006459079758587816, 0.0008899198890770597];
+
+/// Registers the pair and compares with the record, relative to the total energy.
+pub fn assert_circle_to_ellipse(tolerance: f64) {
+    let grid = Grid::of_level(5);
+    let shape = |curve| SignedDistance::from_loops(grid, &[curve]).expect("a valid curve");
+    let (reference, template) = (shape(circle([0.5; 2], 0.15)), shape(ellipse([0.5; 2], 0.3, 0.2)));
+    let settings = Settings { finest: 5, ..Settings::default() };
+    let mut cascade = ready(Cascade::new(reference, template, settings)).expect("valid settings");
+    let end = loop {
+        let progress = ready(cascade.step());
+        if progress.stop.is_some() {
+            break progress.evaluation.energies;
+        }
+    };
+    let found = [end.membrane, end.bending, end.mismatch, end.volume];
+    for (a, b) in found.iter().zip(CIRCLE_TO_ELLIPSE) {
+        assert!((a - b).abs() <= tolerance * end.total(), "{found:?} is not {CIRCLE_TO_ELLIPSE:?}");
+    }
 }

@@ -1,0 +1,184 @@
+//! The multigrid cycle as a theorem: symmetric, and converging at a rate that does not depend on the level.
+
+mod common;
+
+use common::{circle, ellipse, leaf};
+use thinshell::assemble::{Assembler, CpuAssembler};
+use thinshell::distance::SignedDistance;
+use thinshell::grid::Grid;
+use thinshell::multigrid::Multigrid;
+use thinshell::quadrature::Rule;
+use thinshell::ready::ready;
+use thinshell::settings::Settings;
+use thinshell::stencil::StencilOperator;
+
+/// The mass matrix plus β²/2 times the stiffness matrix, for each component by itself.
+fn fill_sobolev<const D: usize>(operator: &mut StencilOperator<D>, beta: f64) {
+    let grid = operator.grid();
+    let (rule, h, offsets) = (Rule::<D, 3>::gauss3(), grid.spacing(), grid.corner_offsets());
+    let neighbours = StencilOperator::<D>::corner_neighbours();
+    operator.clear();
+    for cell in 0..grid.cell_count() {
+        let base = grid.lowest_node(cell);
+        for a in 0..Grid::<D>::CORNERS {
+            for b in 0..Grid::<D>::CORNERS {
+                let mut entry = 0.0;
+                for point in 0..Rule::<D, 3>::POINTS {
+                    let local: [f64; D] = std::array::from_fn(|axis| {
+                        (0..Grid::<D>::CORNERS).map(|c| rule.shape[point][c] * (c >> axis & 1) as f64).sum()
+                    });
+                    let weights = thinshell::field::CornerWeights::at(&local);
+                    let slopes: f64 =
+                        (0..D).map(|k| weights.derivative[a][k] * weights.derivative[b][k] / (h * h)).sum();
+                    entry += rule.weight[point] * (weights.value[a] * weights.value[b] + 0.5 * beta * beta * slopes);
+                }
+                let block = operator.block_mut(base + offsets[a], neighbours[a][b]);
+                for k in 0..D {
+                    block[k * D + k] += (entry * h.powi(D as i32)) as f32;
+                }
+            }
+        }
+    }
+}
+
+/// A x by the stencil, f64.
+fn apply<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> Vec<f64> {
+    let grid = operator.grid();
+    let mut result = vec![0.0; x.len()];
+    for node in 0..grid.node_count() {
+        let index = grid.node_index(node);
+        for neighbour in 0..StencilOperator::<D>::NEIGHBOURS {
+            let offset = StencilOperator::<D>::offset(neighbour);
+            let place: [isize; D] = std::array::from_fn(|k| index[k] as isize + offset[k]);
+            if place.iter().any(|&i| i < 0 || i as usize >= grid.side()) {
+                continue;
+            }
+            let other = grid.node(place.map(|i| i as usize));
+            let block = &operator.blocks()[node * StencilOperator::<D>::ROW + neighbour * D * D..][..D * D];
+            for i in 0..D {
+                for j in 0..D {
+                    result[node * D + i] += f64::from(block[i * D + j]) * x[other * D + j];
+                }
+            }
+        }
+    }
+    result
+}
+
+fn noise(count: usize) -> Vec<f64> {
+    let mut random = common::Random(17);
+    (0..count).map(|_| random.between(-1.0, 1.0)).collect()
+}
+
+fn energy_norm<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> f64 {
+    apply(operator, x).iter().zip(x).map(|(a, b)| a * b).sum::<f64>().sqrt()
+}
+
+/// The factor by which one cycle reduces the error in the energy norm, after the first cycles.
+fn contraction<const D: usize>(multigrid: &mut Multigrid<D>, grid: Grid<D>) -> f64 {
+    let operator = multigrid.operator_mut().clone();
+    let mut error = noise(grid.node_count() * D);
+    let mut correction = vec![0.0; error.len()];
+    let mut factor = 0.0;
+    for _ in 0..8 {
+        let before = energy_norm(&operator, &error);
+        multigrid.v_cycle(&apply(&operator, &error), &mut correction);
+        error.iter_mut().zip(&correction).for_each(|(e, c)| *e -= c);
+        let after = energy_norm(&operator, &error);
+        factor = after / before;
+        // f32 inside the cycle: scaled back, the error never meets rounding.
+        error.iter_mut().for_each(|e| *e /= after);
+    }
+    factor
+}
+
+fn sobolev_factor<const D: usize>(cells: usize, beta: f64) -> f64 {
+    let grid = Grid::<D>::new(cells);
+    let mut multigrid = Multigrid::new(grid);
+    fill_sobolev(multigrid.operator_mut(), beta);
+    multigrid.prepare();
+    contraction(&mut multigrid, grid)
+}
+
+#[test]
+fn the_sobolev_operator_converges_by_a_factor_below_a_fifth_on_every_level() {
+    for cells in [8, 16, 32, 64, 128] {
+        for beta in [0.1, 1.0] {
+            let factor = sobolev_factor::<2>(cells, beta);
+            assert!(factor < 0.2, "{cells} cells, β = {beta}: {factor}");
+        }
+    }
+    for cells in [4, 8, 16] {
+        let factor = sobolev_factor::<3>(cells, 1.0);
+        assert!(factor < 0.2, "{cells}³ cells: {factor}");
+    }
+}
+
+/// The Hessian of circle → ellipse at the identity's neighbour.
+fn hessian(level: u32) -> (Multigrid<2>, Vec<f64>) {
+    let grid = Grid::<2>::of_level(level);
+    let shape = |curve| SignedDistance::from_loops(grid, &[curve]).expect("a valid curve");
+    let (reference, template) = (shape(circle([0.5; 2], 0.15)), shape(ellipse([0.5; 2], 0.3, 0.2)));
+    let mut assembler: CpuAssembler<2> =
+        CpuAssembler::new(&Settings::default().functional(level), &reference, &template);
+    let displacement: Vec<f64> = (0..grid.node_count())
+        .flat_map(|node| {
+            let x = grid.position(node);
+            [0.4 * (x[0] - 0.5), 0.3 * (x[1] - 0.5)]
+        })
+        .collect();
+    let mut multigrid = Multigrid::new(grid);
+    let mut gradient = vec![0.0; displacement.len()];
+    let evaluation = ready(assembler.curvature(&displacement, &mut gradient, multigrid.operator_mut()));
+    assert!(evaluation.is_admissible());
+    multigrid.prepare();
+    (multigrid, gradient)
+}
+
+#[test]
+fn real_hessians_are_solved_in_a_few_steps_on_every_level() {
+    for level in [4, 5, 6, 7] {
+        let (mut multigrid, gradient) = hessian(level);
+        let mut solution = vec![0.0; gradient.len()];
+        let solve = multigrid.solve(&gradient, 1e-2, 40, &mut solution);
+        assert!(solve.iterations <= 8, "level {level}: {solve:?}");
+        let operator = multigrid.operator_mut();
+        let residual: f64 =
+            apply(operator, &solution).iter().zip(&gradient).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        let size = gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
+        assert!(residual < 0.1 * size, "level {level}: residual {residual} of {size}");
+    }
+}
+
+#[test]
+fn the_cycle_is_symmetric() {
+    let (mut multigrid, _) = hessian(5);
+    let count = Grid::<2>::of_level(5).node_count() * 2;
+    let (a, b) = (noise(count), noise(count + 7)[7..].to_vec());
+    let (mut from_a, mut from_b) = (vec![0.0; count], vec![0.0; count]);
+    multigrid.v_cycle(&a, &mut from_a);
+    multigrid.v_cycle(&b, &mut from_b);
+    let product = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(p, q)| p * q).sum::<f64>();
+    let (left, right) = (product(&b, &from_a), product(&a, &from_b));
+    let size = (product(&a, &from_a) * product(&b, &from_b)).sqrt();
+    assert!((left - right).abs() < 1e-4 * size, "{left} is not {right}, of {size}");
+}
+
+#[test]
+fn the_hessian_is_symmetric_and_its_gradient_consistent() {
+    // A leaf pair, off the minimum: H d is the derivative of the gradient up to the dropped curvature of the residual,
+    // and symmetric to f32.
+    let grid = Grid::<2>::of_level(4);
+    let shape = |curve| SignedDistance::from_loops(grid, &[curve]).expect("a valid curve");
+    let (reference, template) = (shape(leaf([0.5; 2], 0.2, 0.1, 0.0)), shape(leaf([0.5; 2], 0.21, 0.12, 0.1)));
+    let mut assembler: CpuAssembler<2> = CpuAssembler::new(&Settings::default().functional(4), &reference, &template);
+    let displacement = vec![0.0; grid.node_count() * 2];
+    let mut gradient = displacement.clone();
+    let mut operator = StencilOperator::zero(grid);
+    ready(assembler.curvature(&displacement, &mut gradient, &mut operator));
+    let (a, b) = (noise(displacement.len()), noise(displacement.len() + 3)[3..].to_vec());
+    let product = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(p, q)| p * q).sum::<f64>();
+    let (left, right) = (product(&a, &apply(&operator, &b)), product(&b, &apply(&operator, &a)));
+    assert!((left - right).abs() < 1e-5 * left.abs().max(right.abs()), "{left} is not {right}");
+    assert!(product(&a, &apply(&operator, &a)) > 0.0);
+}

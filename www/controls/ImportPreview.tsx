@@ -1,5 +1,5 @@
 import { effect, useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useId, useRef } from "preact/hooks";
 import type { Side } from "../session";
 import { pixelX, pixelY, Surface, trace } from "../view/canvas";
 import { type Draft, type Outcome, withChoice } from "./importDraft";
@@ -73,19 +73,12 @@ export function ImportOptions({ draft, result, onChange }: OptionsProps) {
     <div class="options">
       <p class="source">From {draft.source}</p>
       {draft.choices.length > 1 && (
-        <label>
-          Shape
-          <select
-            value={String(draft.chosen)}
-            onChange={(event) => onChange(withChoice(draft, Number(event.currentTarget.value)))}
-          >
-            {draft.choices.map((choice, i) => (
-              <option key={`${i} ${choice.name}`} value={String(i)}>
-                {choice.name}
-              </option>
-            ))}
-          </select>
-        </label>
+        <Choice
+          label="Shape"
+          value={String(draft.chosen)}
+          options={Object.fromEntries(draft.choices.map((choice, i) => [String(i), choice.name]))}
+          onChange={(chosen) => onChange(withChoice(draft, Number(chosen)))}
+        />
       )}
       {draft.picture && <PictureOptions draft={draft} onChange={onChange} />}
       {result.loops > 1 && (
@@ -123,12 +116,14 @@ export function ImportOptions({ draft, result, onChange }: OptionsProps) {
 }
 
 function PictureOptions({ draft, onChange }: Omit<OptionsProps, "result">) {
+  const id = useId();
   const automatic = draft.picture?.threshold ?? 0;
   return (
     <>
-      <label>
-        Threshold
+      <div class="option">
+        <label for={id}>Threshold</label>
         <input
+          id={id}
           type="range"
           min={1}
           max={254}
@@ -136,7 +131,7 @@ function PictureOptions({ draft, onChange }: Omit<OptionsProps, "result">) {
           value={draft.threshold}
           onInput={(event) => onChange({ ...draft, threshold: event.currentTarget.valueAsNumber })}
         />
-      </label>
+      </div>
       <button
         type="button"
         disabled={draft.threshold === automatic}
@@ -162,16 +157,17 @@ type ChoiceProps<T extends string> = {
 };
 
 function Choice<T extends string>({ label, value, options, onChange }: ChoiceProps<T>) {
+  const id = useId();
   return (
-    <label>
-      {label}
-      <select value={value} onChange={(event) => onChange(event.currentTarget.value as T)}>
+    <div class="option">
+      <label for={id}>{label}</label>
+      <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value as T)}>
         {(Object.keys(options) as T[]).map((key) => (
           <option key={key} value={key}>
             {options[key]}
           </option>
         ))}
       </select>
-    </label>
+    </div>
   );
 }

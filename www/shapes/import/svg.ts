@@ -238,7 +238,9 @@ const SIDES: Record<string, string> = { reference: "Reference", template: "Templ
 
 /** A drawing of this page: its shapes lie in the box already and go back to where they were. */
 function ownChoices(figures: readonly Figure[]): Found {
-  const named = figures.filter(({ side }) => side !== null && side in SIDES);
+  const order = Object.keys(SIDES);
+  const rank = ({ side }: Figure) => order.indexOf(side ?? "");
+  const named = figures.filter((figure) => rank(figure) >= 0).sort((a, b) => rank(a) - rank(b));
   const areas = areasOf(named);
   const found = named.map(
     (figure, i): Choice => ({

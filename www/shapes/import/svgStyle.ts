@@ -36,7 +36,8 @@ export function styleRules(drawing: Document): readonly Rule[] {
   const rules: Rule[] = [];
   for (const element of drawing.querySelectorAll("style")) {
     const sheet = new CSSStyleSheet();
-    sheet.replaceSync(element.textContent ?? "");
+    // It would leave out imports by itself, but complain about them on the console.
+    sheet.replaceSync((element.textContent ?? "").replace(/@import[^;]*;/gi, ""));
     for (const rule of sheet.cssRules) {
       if (rule instanceof CSSStyleRule) {
         rules.push({ selector: rule.selectorText, declarations: listed(rule.style.cssText) });

@@ -52,6 +52,15 @@ impl<const D: usize> Newton<D> {
         }
     }
 
+    /// Begins again from another displacement, with all the memory there is.
+    pub fn restart(&mut self, displacement: Vec<f64>) {
+        assert_eq!(displacement.len(), self.displacement.len());
+        self.displacement = displacement;
+        self.shift = 0.0;
+        self.decrease.restart();
+        self.progress = None;
+    }
+
     /// Adds to every diagonal entry.
     fn add_to_diagonal(&mut self, amount: f32) {
         let operator = self.multigrid.operator_mut();

@@ -1,0 +1,85 @@
+/**
+ * What an experiment is. Experiments know shapes, settings and what is measured; where the solver runs (Node, a worker)
+ * is their caller's business.
+ */
+
+import type { Registration, Settings, Shape } from "../wasm/thinshell.js";
+
+export type { Registration, Settings, Shape, Status } from "../wasm/thinshell.js";
+
+/** The solver's door: `Registration` of the wasm package. */
+export type Solver = {
+  create(reference: Shape, template: Shape, settings?: Partial<Settings>): Promise<Registration>;
+};
+
+export type Context = {
+  readonly solver: Solver;
+  /** The wall clock, milliseconds. */
+  readonly millis: () => number;
+  /** Called between solver steps: how much is done, 0 to 1, and what is going on. */
+  readonly progress: (done: number, doing: string) => void | Promise<void>;
+};
+
+/** "short" keeps to sizes that a test or an impatient reader can wait for. */
+export type Size = "full" | "short";
+
+/** What comes out, in reading order. Texts are plain sentences. */
+export type Block =
+  | { readonly kind: "text"; readonly text: string }
+  | { readonly kind: "table"; readonly head: readonly string[]; readonly rows: readonly (readonly string[])[] }
+  /** `name` is the file's, without its ending. */
+  | { readonly kind: "figure"; readonly name: string; readonly svg: string; readonly caption: string };
+
+export type Experiment = {
+  /** Stands in links; never changes. */
+  readonly id: string;
+  readonly title: string;
+  /** What the paper does and sees. */
+  readonly paper: string;
+  /** What is done here: shapes, settings, what is measured. */
+  readonly setup: string;
+  readonly run: (context: Context, size: Size) => Promise<Block[]>;
+};
+
+export function text(...sentences: string[]): Block {
+  return { kind: "text", text: sentences.join(" ") };
+}
+
+export function table(head: readonly string[], rows: readonly (readonly string[])[]): Block {
+  return { kind: "table", head, rows };
+}
+
+/** Nodes a side on a level, as tables name it. */
+export function nodes(level: number): string {
+  return `${2 ** level + 1}²`;
+}
+
+/** A length in cells; two digits below one cell, fewer above. */
+export function cells(value: number): string {
+  return value.toFixed(value < 10 ? 2 : 1);
+}
+
+export function seconds(millis: number): string {
+  return `${(millis / 1000).toFixed(millis < 10_000 ? 2 : 1)} s`;
+}
+
+/** A determinant or another small positive number. */
+export function small(value: number): string {
+  if (value >= 0.01) return value.toFixed(3);
+  const [mantissa, exponent] = value.toExponential(1).split("e");
+  return `${mantissa}·10${[...String(Number(exponent))].map((c) => SUPERSCRIPT[c]).join("")}`;
+}
+
+const SUPERSCRIPT: Record<string, string> = {
+  "-": "⁻",
+  "0": "⁰",
+  "1": "¹",
+  "2": "²",
+  "3": "³",
+  "4": "⁴",
+  "5": "⁵",
+  "6": "⁶",
+  "7": "⁷",
+  "8": "⁸",
+  "9": "⁹",
+};

@@ -1,0 +1,138 @@
+/** What must come out, at sizes that a test can wait for; `npm run reproduce` has the full ones. */
+
+import { readFileSync } from "node:fs";
+import { describe, expect, it } from "vitest";
+import { initSync, Registration } from "../wasm/thinshell.js";
+import { crumple } from "./crumpling";
+import type { Context } from "./experiment";
+import { EXPERIMENTS } from "./index";
+import { cascade, singleLevel } from "./levels";
+import { document } from "./markdown";
+import { order } from "./measure";
+import { descend } from "./metric";
+import { matchPolygons, readPolygons } from "./polygons";
+import { rotate } from "./rotation";
+import { SHELL, strain, VOLUME } from "./strain";
+
+initSync({ module: readFileSync(new URL("../wasm/thinshell_bg.wasm", import.meta.url)) });
+
+const context: Context = { solver: Registration, millis: () => performance.now(), progress: () => {} };
+const MINUTE = 60_000;
+
+describe("Table 1", () => {
+  it("the shell's deviation falls by 1.8 to 2.2 per level from 65² on", { timeout: MINUTE }, async () => {
+    const rows = await strain(context, SHELL, 8);
+    expect(rows.map(({ level }) => level)).toEqual([5, 6, 7, 8]);
+    for (let i = 2; i < rows.length; i += 1) {
+      const factor = 2 ** order(rows[i - 1].deviation, rows[i].deviation);
+      expect(factor).toBeGreaterThan(1.8);
+      expect(factor).toBeLessThan(2.2);
+    }
+    expect(rows.at(-1)?.mismatch).toBeLessThan(0.5);
+  });
+
+  it("volume energy alone stays flat within 20 % from 65² on", { timeout: MINUTE }, async () => {
+    const deviations = (await strain(context, VOLUME, 8)).slice(1).map(({ deviation }) => deviation);
+    const mean = deviations.reduce((sum, value) => sum + value, 0) / deviations.length;
+    for (const deviation of deviations) expect(Math.abs(deviation / mean - 1)).toBeLessThan(0.2);
+    expect(mean).toBeGreaterThan(0.5);
+  });
+});
+
+describe("Fig. 5", () => {
+  it("a circle matched with one of half its size is more than 30 % too long", { timeout: MINUTE }, async () => {
+    expect((await crumple(context, 2, { bending: 0 })).excess).toBeGreaterThan(0.3);
+    expect((await crumple(context, 2, { bending: 1 })).excess).toBeGreaterThan(0.3);
+  });
+
+  it("a circle matched with one hardly smaller shrinks without waves", { timeout: MINUTE }, async () => {
+    expect(Math.abs((await crumple(context, 1.2, { bending: 1 })).excess)).toBeLessThan(0.01);
+  });
+});
+
+describe("Fig. 6", () => {
+  for (const minimizer of ["newton", "ncg"] as const)
+    it(`bending finds rotations to half a degree (${minimizer})`, { timeout: MINUTE }, async () => {
+      for (const angle of [15, 30, 40]) {
+        const { found, end } = await rotate(context, angle, 6, { bending: 1, minimizer });
+        expect(Math.abs(found - angle)).toBeLessThan(0.5);
+        expect(end.status.mismatch.max).toBeLessThan(0.5);
+      }
+    });
+
+  it("without bending either minimiser reaches the template, but not the rotation", { timeout: MINUTE }, async () => {
+    for (const minimizer of ["newton", "ncg"] as const) {
+      const { found, end } = await rotate(context, 30, 6, { bending: 0, minimizer });
+      expect(end.status.mismatch.max).toBeLessThan(0.5);
+      expect(found).toBeLessThan(27);
+    }
+  });
+});
+
+describe("the cascade", () => {
+  it("comes closer level by level, and closer than its finest level alone", { timeout: MINUTE }, async () => {
+    const levels = await cascade(context, 6);
+    const means = levels.map(({ status }) => status.mismatch.mean / 2 ** status.level);
+    expect(means.length).toBe(3);
+    for (let i = 1; i < means.length; i += 1) expect(means[i]).toBeLessThan(means[i - 1]);
+    const alone = await singleLevel(context, 6, { thickness: 0.125, penalty: 4e3 });
+    expect(alone.status.mismatch.mean / 64).toBeGreaterThan(means[2]);
+  });
+});
+
+describe("the metric", () => {
+  it("Newton needs fewer iterations than a Sobolev gradient, and that fewer than L²", { timeout: MINUTE }, async () => {
+    const runs = [];
+    for (const settings of [{}, { minimizer: "ncg", sobolev: 0.5 }, { minimizer: "ncg", sobolev: 0 }] as const)
+      runs.push(await descend(context, 5, settings));
+    const least = Math.min(...runs.map(({ end }) => end.status.energies.total));
+    const [newton, sobolev, plain] = runs.map(({ moments }) =>
+      moments.findIndex(({ energy }) => energy < least * (1 + 1e-3)),
+    );
+    expect(newton).toBeGreaterThanOrEqual(0);
+    expect(newton).toBeLessThan(sobolev);
+    // −1: not reached at all.
+    expect(plain < 0 || plain > sobolev).toBe(true);
+    expect(sobolev).toBeGreaterThanOrEqual(0);
+  });
+});
+
+describe("polygon files", () => {
+  const square = [
+    [0.3, 0.3],
+    [0.7, 0.3],
+    [0.7, 0.7],
+    [0.3, 0.7],
+  ];
+
+  it("are refused with the place and the reason", () => {
+    expect(() => readPolygons("{")).toThrow("not JSON");
+    expect(() => readPolygons("[]")).toThrow("at least two");
+    expect(() => readPolygons(JSON.stringify([{ points: square }, { points: [[0, 1]] }]))).toThrow("polygon 2");
+    expect(() => readPolygons(JSON.stringify([{ points: square }, null]))).toThrow("polygon 2");
+  });
+
+  it("become a table with a row a pair", { timeout: MINUTE }, async () => {
+    const circle = Array.from({ length: 64 }, (_, i) => [
+      0.5 + 0.25 * Math.cos((Math.PI * i) / 32),
+      0.5 + 0.25 * Math.sin((Math.PI * i) / 32),
+    ]);
+    const file = JSON.stringify([{ name: "square", points: square, narrowest_h: 50 }, { points: circle }]);
+    const blocks = await matchPolygons(context, readPolygons(file));
+    const [row] = blocks.flatMap((block) => (block.kind === "table" ? block.rows : []));
+    expect(row.slice(0, 3)).toEqual(["square", "shape 2", "50.0 / –"]);
+    expect(row.at(-1)).toBe("yes");
+  });
+});
+
+describe("the document", () => {
+  it("has every experiment's table and names every figure's file", () => {
+    const figure = { kind: "figure", name: "curve", svg: "<svg/>", caption: "A curve." } as const;
+    const rows = { kind: "table", head: ["a", "b"], rows: [["1", "x|y"]] } as const;
+    const text = document(EXPERIMENTS.map((experiment) => ({ ...experiment, blocks: [rows, figure] })));
+    for (const { title, paper, setup } of EXPERIMENTS)
+      for (const part of [`## ${title}\n`, paper, setup]) expect(text).toContain(part);
+    expect(text).toContain("| a | b |\n| --- | --- |\n| 1 | x\\|y |");
+    expect(text).toContain("![A curve.](figures/curve.svg)");
+  });
+});

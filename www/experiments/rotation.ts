@@ -1,0 +1,137 @@
+/** Fig. 6 in 2D: which rotation is found, and what finds it. */
+
+import { type Context, cells, type Experiment, type Settings, seconds, table, text } from "./experiment";
+import { rotationAngle } from "./measure";
+import { roundedSquare } from "./shapes";
+import { type LevelEnd, solve } from "./solve";
+import { panels } from "./svg";
+
+/** Turned by exactly 45° the square is symmetric about the start, which is then a saddle: half a degree decides. */
+export const ANGLES = [15, 30, 40, 44.5] as const;
+
+export type Found = { readonly angle: number; readonly found: number; readonly end: LevelEnd };
+
+/** A rounded square of half side 0.12 and corner radius 0.08, matched with itself turned by `angle` degrees. */
+export async function rotate(
+  context: Context,
+  angle: number,
+  finest: number,
+  settings: Partial<Settings>,
+): Promise<Found> {
+  const { end } = await solve(context, {
+    reference: roundedSquare(0.12, 0.08, 0),
+    template: roundedSquare(0.12, 0.08, angle),
+    settings: { coarsest: 4, finest, ...settings },
+  });
+  return { angle, found: rotationAngle(end.curves), end };
+}
+
+const SHAPE_OPERATOR: Partial<Settings> = { bending: 1 };
+
+const MODELS: readonly { readonly name: string; readonly settings: Partial<Settings> }[] = [
+  { name: "no bending, α_bend = 0", settings: { bending: 0 } },
+  { name: "relative shape operator (3), α_bend = 1", settings: SHAPE_OPERATOR },
+  { name: "mean curvature (10), weight 1", settings: { bendingModel: "mean-curvature", bending: 1 } },
+  { name: "mean curvature (10), weight 0.01", settings: { bendingModel: "mean-curvature", bending: 0.01 } },
+];
+
+/** Energies of the rotated start and of a match, on one level with the δ and ε that a cascade from 17² has there. */
+export async function energyOf(
+  context: Context,
+  angle: number,
+  level: number,
+  settings: Partial<Settings>,
+  deformation: Float64Array,
+): Promise<{ match: number; rotation: number }> {
+  const registration = await context.solver.create(roundedSquare(0.12, 0.08, 0), roundedSquare(0.12, 0.08, angle), {
+    align: "none",
+    thickness: 0.5 / 2 ** (level - 4),
+    penalty: 1e3 * 2 ** (level - 4),
+    ...settings,
+    coarsest: level,
+    finest: level,
+  });
+  try {
+    const [cos, sin] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)];
+    const turned = registration.deformation();
+    for (let i = 0; i < turned.length; i += 2) {
+      const [x, y] = [turned[i] - 0.5, turned[i + 1] - 0.5];
+      turned[i] = 0.5 + cos * x - sin * y;
+      turned[i + 1] = 0.5 + sin * x + cos * y;
+    }
+    return {
+      match: registration.evaluate(deformation).energies.total,
+      rotation: registration.evaluate(turned).energies.total,
+    };
+  } finally {
+    registration.free();
+  }
+}
+
+export const rotationExperiment: Experiment = {
+  id: "rotation",
+  title: "Fig. 6 in 2D: a turned square",
+  paper:
+    "Shapes that differ by a rotation: with the bending energy (3) corners find corners. Without it, or with the mean curvature of eq. (10) in its place, they do not.",
+  setup:
+    "Rounded square, half side 0.12, corner radius 0.08, matched with itself turned by 15°, 30°, 40° and 44.5°, from the identity, without alignment, default settings otherwise. At 45° the start is symmetric and nothing tells left from right, so half a degree is taken off. Measured: the rotation that takes the points of M1 to their partners best in the least squares sense; both minimisers.",
+  async run(context, size) {
+    const finest = size === "full" ? 7 : 6;
+    const rows: string[][] = [];
+    const shown: { name: string; found: number; end: LevelEnd; energies: { match: number; rotation: number } }[] = [];
+    const stuck: { found: number; energies: { match: number; rotation: number } }[] = [];
+    const total = 2 * MODELS.length * ANGLES.length;
+    let done = 0;
+    for (const minimizer of ["newton", "ncg"] as const)
+      for (const { name, settings } of MODELS) {
+        const row = [name, minimizer];
+        for (const angle of ANGLES) {
+          await context.progress(done / total, `${name}, ${minimizer}, ${angle}°`);
+          const { found, end } = await rotate(context, angle, finest, { ...settings, minimizer });
+          row.push(`${found.toFixed(2)}° (${cells(end.status.mismatch.max)} cells, ${seconds(end.millis)})`);
+          done += 1;
+          if (minimizer !== "newton") continue;
+          const energies = () => energyOf(context, angle, finest, settings, end.deformation);
+          if (angle === 30) shown.push({ name, found, end, energies: await energies() });
+          if (angle === 44.5 && settings === SHAPE_OPERATOR) stuck.push({ found, energies: await energies() });
+        }
+        rows.push(row);
+      }
+    return [
+      table(["model", "minimiser", ...ANGLES.map((angle) => `${angle}°: found (max mismatch, time)`)], rows),
+      {
+        kind: "figure",
+        name: "rotation",
+        caption: "Turned by 30°, Newton: ticks join equally spaced points of the reference with their partners.",
+        svg: panels(
+          shown.map(({ name, found, end }) => ({
+            title: name,
+            note: `found ${found.toFixed(2)}°`,
+            level: finest,
+            deformation: end.deformation,
+            reference: end.curves.reference,
+            template: end.curves.template,
+            matched: end.curves.matched,
+            ticks: true,
+          })),
+          2,
+          290,
+        ),
+      },
+      text(
+        `Without bending both minimisers leave the curve within a degree of where it started: it slides onto the template the shortest way. The rotation would do better, but hardly: on the finest level the match found has the energy ${shown[0].energies.match.toPrecision(6)}, the exact rotation by 30° ${shown[0].energies.rotation.toPrecision(6)}. A rotation costs membrane and volume nothing either, so a thorough minimiser may drift towards it; nothing drives it there within any sensible tolerance. With bending the same two numbers are ${shown[1].energies.match.toPrecision(6)} for the match found and ${shown[1].energies.rotation.toPrecision(6)} for the rotation. What bending adds is the force, not the minimum.`,
+      ),
+      ...stuck.map(({ found, energies }) =>
+        text(
+          `At 44.5° the start is all but symmetric, and which way the corners leave it is decided by little. Newton's method ends at ${found.toFixed(2)}° with the energy ${energies.match.toPrecision(6)}, the rotation has ${energies.rotation.toPrecision(6)}.`,
+          found > 40
+            ? "It has found the same state as the gradient method."
+            : "It has gone from the saddle into a state of its own, since its model of the curvature keeps no negative direction that would lead away from the symmetric path; the rougher gradient method does leave it.",
+        ),
+      ),
+      text(
+        "Eq. (10) carries no factor δ³, so with weight 1 it outweighs the other terms: rotations up to 40° are met less exactly and with ten times the mismatch, and at 44.5° the curve does not reach the template. Reduced to 0.01 it finds every rotation in 2D, where the mean curvature is all the curvature there is; the case against it is made by surfaces.",
+      ),
+    ];
+  },
+};

@@ -95,8 +95,11 @@ export async function drop(page: Page, selector: string, dropped: File): Promise
     },
     { name: dropped.name, mimeType: dropped.mimeType, content: dropped.buffer.toString("base64") },
   );
+  const marked = page.locator(":root[data-dropping]");
   await page.dispatchEvent(selector, "dragover", { dataTransfer: transfer });
+  await expect(marked).toHaveCount(1);
   await page.dispatchEvent(selector, "drop", { dataTransfer: transfer });
+  await expect(marked).toHaveCount(0);
 }
 
 export type Loop = readonly (readonly [number, number])[];

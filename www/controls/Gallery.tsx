@@ -62,6 +62,7 @@ function pathOf(found: Found): string {
     parts: choice.mainPart ? "largest" : "all",
     holes: "keep",
     placement: "fit",
+    smoothing: 0,
   });
   return shape
     .map((loop) => {

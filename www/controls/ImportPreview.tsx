@@ -66,6 +66,15 @@ function words({ prepared, problem }: Outcome): string {
   return `${loops} ${loops === 1 ? "loop" : "loops"}, ${points} points`;
 }
 
+/** Widths in cells. Details finer than a cell no grid can see; they only cost iterations. */
+const SMOOTHINGS: Readonly<Record<string, string>> = {
+  0: "none",
+  0.5: "half a cell",
+  1: "one cell",
+  2: "two cells",
+  4: "four cells",
+};
+
 type OptionsProps = { readonly draft: Draft; readonly result: Outcome; readonly onChange: (draft: Draft) => void };
 
 export function ImportOptions({ draft, result, onChange }: OptionsProps) {
@@ -97,6 +106,12 @@ export function ImportOptions({ draft, result, onChange }: OptionsProps) {
           />
         </>
       )}
+      <Choice
+        label="Smoothing"
+        value={String(draft.smoothing)}
+        options={SMOOTHINGS}
+        onChange={(smoothing) => onChange({ ...draft, smoothing: Number(smoothing) })}
+      />
       {result.placed && (
         <Choice
           label="Place"

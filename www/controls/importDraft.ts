@@ -19,6 +19,8 @@ export type Draft = {
   readonly parts: Parts;
   readonly holes: Holes;
   readonly placement: Placement;
+  /** In cells. */
+  readonly smoothing: number;
 };
 
 export type Outcome = {
@@ -47,6 +49,7 @@ export function begun(found: Exclude<Found, { kind: "saved" }>, source: string, 
       parts: "all",
       holes: "keep",
       placement: "fit",
+      smoothing: 0,
     },
     0,
   );

@@ -17,6 +17,7 @@ export function listenForImports(): () => void {
   const listening = new AbortController();
   const options = { signal: listening.signal };
   addEventListener("dragover", (event) => dragOver(event), options);
+  addEventListener("dragleave", (event) => event.relatedTarget === null && showTargets(false), options);
   addEventListener("drop", (event) => drop(event), options);
   addEventListener("paste", (event) => paste(event), options);
   return () => listening.abort();
@@ -27,9 +28,16 @@ function dragOver(event: DragEvent): void {
   // Without this the browser would leave the page for the dropped file.
   event.preventDefault();
   event.dataTransfer.dropEffect = "copy";
+  showTargets(true);
+}
+
+/** The style sheet marks the surfaces while something to drop is over the page. */
+function showTargets(on: boolean): void {
+  document.documentElement.toggleAttribute("data-dropping", on);
 }
 
 function drop(event: DragEvent): void {
+  showTargets(false);
   if (isField(event.target) || !event.dataTransfer) return;
   const input = event.dataTransfer.files[0] ?? event.dataTransfer.getData("text/plain");
   event.preventDefault();

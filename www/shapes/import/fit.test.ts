@@ -1,9 +1,10 @@
 import { expect, test } from "vitest";
-import { bounds, type Loop, perimeter, type Shape } from "../geometry";
+import { bounds, type Loop, perimeter, type Shape, signedArea } from "../geometry";
 import { PRESETS } from "../presets";
-import { CELL, divided, MOST_POINTS, prepared, simplified, thinned } from "./fit";
+import { CELL, divided, MOST_POINTS, prepared, rounded, simplified, thinned } from "./fit";
+import { united } from "./region";
 
-const FIT = { parts: "all", holes: "keep", placement: "fit" } as const;
+const FIT = { parts: "all", holes: "keep", placement: "fit", smoothing: 0 } as const;
 
 function polar(radius: (t: number) => number, count: number, x = 0, y = 0): Loop {
   return Float64Array.from(
@@ -85,4 +86,34 @@ test("specks are left out, said to be, and do not make the rest small", () => {
 test("nothing but specks is refused", () => {
   const speck: Shape = [polar(() => 1e-4, 10, 0.5, 0.5)];
   expect(() => prepared(speck, { ...FIT, placement: "asIs" })).toThrow(/larger than a cell/);
+});
+
+test("smoothing damps a ripple as a Gaussian does, and leaves the middle radius", () => {
+  const radius = 0.25;
+  const waves = 60;
+  const wavelength = (2 * Math.PI * radius) / waves;
+  const loop = polar((t) => radius + 0.001 * Math.cos(waves * t), 4000, 0.5, 0.5);
+  for (const width of [CELL / 2, CELL]) {
+    const smooth = rounded(loop, width);
+    let [least, most] = [Infinity, 0];
+    for (let i = 0; i < smooth.length; i += 2) {
+      const r = Math.hypot(smooth[i] - 0.5, smooth[i + 1] - 0.5);
+      least = Math.min(least, r);
+      most = Math.max(most, r);
+    }
+    // A Gaussian of width w damps a wave of length λ by exp(−2 π² w² / λ²).
+    const damped = 0.001 * Math.exp(-2 * (Math.PI * (width / wavelength)) ** 2);
+    expect((most - least) / 2 / damped).toBeGreaterThan(0.85);
+    expect((most - least) / 2 / damped).toBeLessThan(1.15);
+    expect(Math.abs((most + least) / 2 - radius)).toBeLessThan(CELL / 20);
+  }
+});
+
+test("a neck thinner than the smoothing leaves loops that do not cross", () => {
+  const dumbbell = polar((t) => 0.02 + 0.25 * Math.cos(t) ** 2, 400, 0.5, 0.5);
+  const { shape } = prepared([dumbbell], { ...FIT, smoothing: 4 });
+  for (const loop of shape) expect(Math.abs(signedArea(loop))).toBeGreaterThan(CELL * CELL);
+  const again = united([{ loops: shape, rule: "evenodd" }]);
+  const area = (loops: Shape) => loops.reduce((sum, loop) => sum + signedArea(loop), 0);
+  expect(area(again)).toBeCloseTo(area(shape), 5);
 });

@@ -1,10 +1,12 @@
 /** From loops of any size to a shape that can be drawn, edited and matched: placed in the box, with few even points. */
 
 import {
+  averaged,
   bounds,
   FITTED_SIZE,
   type Loop,
   perimeter,
+  resampled,
   type Shape,
   type Similarity,
   signedArea,
@@ -12,6 +14,7 @@ import {
 } from "../geometry";
 import { ImportError } from "./found";
 import { chosenParts, type Holes, type Parts } from "./parts";
+import { united } from "./region";
 
 /** A cell of the grid on which shapes are matched by default. */
 export const CELL = 1 / 128;
@@ -36,11 +39,16 @@ export type Prepared = {
   readonly box: Similarity;
 };
 
+export type Wishes = {
+  readonly parts: Parts;
+  readonly holes: Holes;
+  readonly placement: Placement;
+  /** Details up to about this many cells are rounded off; 0 leaves all as it is. */
+  readonly smoothing: number;
+};
+
 /** Throws when nothing is left that a grid could see. */
-export function prepared(
-  loops: Shape,
-  { parts, holes, placement }: { readonly parts: Parts; readonly holes: Holes; readonly placement: Placement },
-): Prepared {
+export function prepared(loops: Shape, { parts, holes, placement, smoothing }: Wishes): Prepared {
   const chosen = chosenParts(loops, parts, holes);
   let box = placement === "fit" ? centring(chosen) : IN_PLACE;
   let shape: Shape = transformed(chosen, box).filter(isSizeable);
@@ -61,6 +69,11 @@ export function prepared(
     notes.push(`Of ${shape.length} loops the ${MOST_LOOPS} largest are taken.`);
     shape = [...shape].sort((a, b) => Math.abs(signedArea(b)) - Math.abs(signedArea(a))).slice(0, MOST_LOOPS);
   }
+  if (smoothing > 0) {
+    // Where a neck is thinner than that, its two sides may come to cross.
+    const smooth = shape.map((loop) => rounded(loop, smoothing * CELL));
+    shape = united([{ loops: smooth, rule: "nonzero" }]).filter(isSizeable);
+  }
   let coarsest = 0;
   const simple = shape.map((loop) => {
     const { points, tolerance } = simplified(loop);
@@ -80,6 +93,19 @@ function centring(shape: Shape): Similarity {
   if (!box || !(extent > 0)) return IN_PLACE;
   const a = FITTED_SIZE / extent;
   return { a, b: 0, x: 0.5 - (a * (box.left + box.right)) / 2, y: 0.5 - (a * (box.bottom + box.top)) / 2 };
+}
+
+/**
+ * The loop convolved along its length with a Gaussian of the given width (standard deviation): k rounds of
+ * [1 2 1] / 4 on points a step s apart have the variance k s² / 2.
+ */
+export function rounded(loop: Loop, width: number): Loop {
+  const count = Math.max(16, Math.ceil(perimeter(loop) / Math.min(width / 2, CELL / 2)));
+  const step = perimeter(loop) / count;
+  const rounds = Math.round(2 * (width / step) ** 2);
+  let current = resampled(loop, count);
+  for (let round = 0; round < rounds; round += 1) current = averaged(current, 0.5);
+  return current;
 }
 
 /** Larger than a cell both in area and along each side. */

@@ -5,10 +5,14 @@ export default defineConfig({
   // Relative addresses: the build works under any path of any static server.
   base: "./",
   plugins: [countries()],
-  build: { target: "es2022", sourcemap: false },
+  build: {
+    target: "es2022",
+    sourcemap: false,
+    rolldownOptions: { input: ["index.html", "experiments.html"] },
+  },
   worker: { format: "es" },
   // Neither watch what cargo builds nor look for pages in it.
   server: { watch: { ignored: ["**/target/**"] } },
-  optimizeDeps: { entries: ["index.html", "benches/page/index.html"] },
+  optimizeDeps: { entries: ["index.html", "experiments.html", "benches/page/index.html"] },
   test: { include: ["www/**/*.test.{ts,tsx}", "scripts/**/*.test.mjs"] },
 });

@@ -12,7 +12,8 @@ const BUDGET = 200_000;
  * The files that loading index.html asks for, in the order they are found.
  *
  * A file counts when one that counts names it, in whatever way: a tag, a static import, a worker's or the module's URL,
- * a style sheet's url(). Only `import("…")`, and the list from which Vite preloads for it, may name a file for later.
+ * a style sheet's url(). Only `import("…")`, the list from which Vite preloads for it, and links to follow may name a
+ * file for later.
  *
  * @param {Map<string, string>} texts each file of the build by its path, with its text ("" for binary ones)
  * @returns {string[]}
@@ -22,7 +23,8 @@ export function firstLoad(texts) {
   for (const path of asked) {
     const now = (texts.get(path) ?? "")
       .replace(/\bimport\(\s*[`"'][^`"']*[`"']\s*\)/g, "")
-      .replace(/__vite__mapDeps[^;]*?\[[^\]]*\]/g, "");
+      .replace(/__vite__mapDeps[^;]*?\[[^\]]*\]/g, "")
+      .replace(/<a\s[^>]*>/g, "");
     for (const other of texts.keys())
       if (!asked.includes(other) && now.includes(posix.basename(other))) asked.push(other);
   }

@@ -42,3 +42,14 @@ test("a file that is also imported statically counts, whoever else waits for it"
   };
   expect(load(files)).toContain("assets/both-c.js");
 });
+
+test("another page is not loaded with this one for being linked", () => {
+  const files = {
+    "index.html": `${page}<p>See <a class="x" href="./experiments.html">more</a>.</p>`,
+    "assets/index-a.js": "",
+    "assets/index-b.css": "",
+    "experiments.html": '<script type="module" src="./assets/experiments-c.js"></script>',
+    "assets/experiments-c.js": "",
+  };
+  expect(load(files)).toEqual(["index.html", "assets/index-a.js", "assets/index-b.css"]);
+});

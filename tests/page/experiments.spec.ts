@@ -1,0 +1,71 @@
+import AxeBuilder from "@axe-core/playwright";
+import { expect, type Page, test } from "@playwright/test";
+
+function watch(page: Page): { problems: string[]; requests: string[] } {
+  const seen = { problems: [] as string[], requests: [] as string[] };
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") seen.problems.push(message.text());
+  });
+  page.on("pageerror", (error) => seen.problems.push(String(error)));
+  page.on("request", (request) => {
+    if (!/^(data|blob):/.test(request.url())) seen.requests.push(request.url());
+  });
+  return seen;
+}
+
+test("an experiment is computed live, with its table and its figure", async ({ page }) => {
+  const seen = watch(page);
+  await page.goto("./");
+  await page.getByRole("link", { name: "computed live" }).click();
+  await expect(page.getByRole("heading", { level: 1, name: "The paper's experiments" })).toBeVisible();
+  await page.waitForLoadState("networkidle");
+  const loaded = seen.requests.length;
+
+  const section = page.getByRole("region", { name: /^Fig\. 5/ });
+  await section.getByRole("button", { name: /^Compute: / }).click();
+  await expect(section.getByRole("table")).toBeVisible({ timeout: 60_000 });
+  const excess = section.getByRole("row", { name: /^2 / }).getByRole("cell").first();
+  expect(Number.parseFloat((await excess.textContent()) ?? "")).toBeGreaterThan(30);
+  const figure = section.getByRole("img");
+  await expect(figure).toBeVisible();
+  expect(await figure.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(300);
+  await expect(section.getByRole("status")).toContainText("Computed in");
+
+  const download = page.waitForEvent("download");
+  await section.getByRole("link", { name: "Save as SVG" }).click();
+  expect((await download).suggestedFilename()).toBe("crumpling.svg");
+
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations).toEqual([]);
+  expect(seen.requests.slice(loaded)).toEqual([]);
+  expect(seen.problems).toEqual([]);
+});
+
+test("an experiment can be cancelled and computed again", async ({ page }) => {
+  await page.goto("./experiments.html");
+  const section = page.getByRole("region", { name: /^Fig\. 6/ });
+  await section.getByRole("button", { name: /^Compute in full: / }).click();
+  await expect(section.getByRole("progressbar")).toBeVisible();
+  await expect(section.getByRole("status")).toContainText("newton");
+  await section.getByRole("button", { name: /^Cancel: / }).click();
+  await expect(section.getByRole("progressbar")).toHaveCount(0);
+  await expect(section.getByRole("table")).toHaveCount(0);
+
+  const other = page.getByRole("region", { name: /^Fig\. 4/ });
+  await other.getByRole("button", { name: /^Compute: / }).click();
+  await expect(other.getByRole("table")).toBeVisible({ timeout: 60_000 });
+});
+
+for (const colorScheme of ["light", "dark"] as const)
+  test(`fits a narrow screen (${colorScheme})`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await page.setViewportSize({ width: 390, height: 800 });
+    await page.goto("./experiments.html");
+    const section = page.getByRole("region", { name: /^Fig\. 5/ });
+    await section.getByRole("button", { name: /^Compute: / }).click();
+    await expect(section.getByRole("table")).toBeVisible({ timeout: 60_000 });
+    const overflow = () => document.documentElement.scrollWidth - document.documentElement.clientWidth;
+    expect(await page.evaluate(overflow)).toBe(0);
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    expect(violations).toEqual([]);
+  });

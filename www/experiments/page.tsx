@@ -1,0 +1,162 @@
+/** The page of the paper's experiments: what each is, and its outcome computed live. */
+
+import { render } from "preact";
+import solverUrl from "../wasm/thinshell_bg.wasm?url";
+import { type Block, type Experiment, seconds } from "./experiment";
+import { EXPERIMENTS } from "./index";
+import { type Run, Runs } from "./runs";
+import "../style.css";
+import "./page.css";
+
+function App({ runs }: { runs: Runs }) {
+  return (
+    <>
+      <nav aria-label="Experiments">
+        <ul>
+          {EXPERIMENTS.map(({ id, title }) => (
+            <li key={id}>
+              <a href={`#${id}`}>{title}</a>
+            </li>
+          ))}
+        </ul>
+      </nav>
+      {EXPERIMENTS.map((experiment) => (
+        <Section key={experiment.id} experiment={experiment} runs={runs} />
+      ))}
+    </>
+  );
+}
+
+function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
+  const { id, title, paper, setup } = experiment;
+  const run = runs.of(id).value;
+  return (
+    <section id={id} class="experiment" aria-labelledby={`${id}-title`}>
+      <h2 id={`${id}-title`}>{title}</h2>
+      <p>
+        <strong>In the paper.</strong> {paper}
+      </p>
+      <p>
+        <strong>Here.</strong> {setup}
+      </p>
+      <div class="group">
+        {run.kind === "running" ? (
+          <button type="button" onClick={() => runs.cancel()} aria-label={`Cancel: ${title}`}>
+            Cancel
+          </button>
+        ) : (
+          <>
+            <button
+              type="button"
+              class="primary"
+              onClick={() => runs.start(id, "short")}
+              aria-label={`Compute: ${title}`}
+            >
+              Compute
+            </button>
+            <button type="button" onClick={() => runs.start(id, "full")} aria-label={`Compute in full: ${title}`}>
+              Compute in full
+            </button>
+          </>
+        )}
+      </div>
+      <State run={run} title={title} />
+      {run.kind === "done" && run.blocks.map((block, i) => <Piece key={`${id}-${i}`} block={block} />)}
+    </section>
+  );
+}
+
+function State({ run, title }: { run: Run; title: string }) {
+  if (run.kind === "failed")
+    return (
+      <p class="problem" role="alert">
+        The experiment has failed: {run.message}. Compute it again; if it fails again, reload the page.
+      </p>
+    );
+  const percent = run.kind === "running" ? Math.round(100 * run.done) : 0;
+  return (
+    <>
+      {run.kind === "running" && (
+        <div
+          class="bar"
+          role="progressbar"
+          aria-label={title}
+          aria-valuemin={0}
+          aria-valuemax={100}
+          aria-valuenow={percent}
+        >
+          <div style={{ width: `${percent}%` }} />
+        </div>
+      )}
+      <p class="state" role="status">
+        {run.kind === "running" && `${percent} %: ${run.doing}`}
+        {run.kind === "done" && `Computed in ${seconds(run.millis)}${run.size === "short" ? ", on small grids" : ""}.`}
+      </p>
+    </>
+  );
+}
+
+function Piece({ block }: { block: Block }) {
+  if (block.kind === "text") return <p>{block.text}</p>;
+  if (block.kind === "figure") {
+    const address = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
+    return (
+      <figure>
+        {/* An image, so that the figure's style sheet stays its own. */}
+        <img src={address} alt={block.caption} />
+        <figcaption>
+          {block.caption}{" "}
+          <a href={address} download={`${block.name}.svg`}>
+            Save as SVG
+          </a>
+        </figcaption>
+      </figure>
+    );
+  }
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable with the keyboard
+    <section class="wide" tabIndex={0} aria-label="Table">
+      <table>
+        <thead>
+          <tr>
+            {block.head.map((cell, i) => (
+              <th key={`${i}-${cell}`} scope="col">
+                {cell}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {block.rows.map((row) => (
+            <tr key={row.join("|")}>
+              {row.map((cell, i) =>
+                i === 0 ? (
+                  <th key={block.head[i]} scope="row">
+                    {cell}
+                  </th>
+                ) : (
+                  <td key={`${i}-${block.head[i]}`}>{cell}</td>
+                ),
+              )}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
+
+/** Fetched while the page loads and compiled once. */
+async function compiledSolver(): Promise<WebAssembly.Module> {
+  const answer = await fetch(solverUrl);
+  if (!answer.ok) throw new Error(`the solver could not be loaded (${answer.status})`);
+  return WebAssembly.compile(await answer.arrayBuffer());
+}
+
+const root = document.getElementById("experiments");
+if (!root) throw new Error("experiments.html has no #experiments");
+const runs = new Runs(compiledSolver());
+root.replaceChildren();
+render(<App runs={runs} />, root);
+// The sections did not exist yet when the browser looked for the one in the address.
+if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();

@@ -21,6 +21,17 @@ export type Request =
       readonly template: Shape;
       readonly settings: Partial<Settings>;
     }
+  /**
+   * Goes on from the deformation there is, as a run of its own. Shapes and settings are all given, so that one update
+   * can stand for those before it that the worker has not come to.
+   */
+  | {
+      readonly kind: "update";
+      readonly run: number;
+      readonly reference: Shape;
+      readonly template: Shape;
+      readonly settings: Settings;
+    }
   | { readonly kind: "pause"; readonly run: number }
   | { readonly kind: "resume"; readonly run: number }
   | { readonly kind: "cancel"; readonly run: number }

@@ -2,16 +2,17 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import { begun, changed, type History, redone, undone } from "./history";
+import { Follower, LIVE_LEVEL, SETTLED_CELLS } from "./live";
 import type { FrameReply, Iteration } from "./protocol";
 import type { MatchRecord } from "./record";
-import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
+import { type Chosen, complete, FIELDS, finestLevel, type SettingField, withSetting } from "./settings";
 import { fitted, type Shape } from "./shapes/geometry";
 import type { Preset } from "./shapes/presets";
 import { Solver } from "./solver";
 import { encode, type Opened, open, remember } from "./state";
 
 export type Side = "reference" | "template";
-export type Phase = "idle" | "solving" | "paused" | "finished";
+export type Phase = "idle" | "solving" | "following" | "paused" | "finished";
 
 /** The two shapes as they stand in the history. */
 export type Pair = {
@@ -31,12 +32,25 @@ const REMEMBER_MILLIS = 400;
 export class Session {
   private readonly history;
   private readonly solver: Solver;
+  private readonly follower = new Follower((at) => this.sendLive(at));
+  /** The solver holds a match that has been through all levels once, so that updates can go on from it. */
+  private established = false;
+  /** Whether the run under way refines an update, not a full run. */
+  private refining = false;
+  /** Whether the last update was refused. */
+  private refused = false;
+  /** Time of the event that the update under way was made from, until its first frame is there. */
+  private asked: number | null = null;
+  /** The same for the frame that is to be drawn next. */
+  private received: number | null = null;
   private restarting: ReturnType<typeof setTimeout> | undefined;
   private remembering: ReturnType<typeof setTimeout> | undefined;
 
   /** The shape under the hand, not yet in the history. */
   private readonly moving = signal<{ readonly side: Side; readonly shape: Shape } | null>(null);
   readonly settings = signal<Chosen>({});
+  /** Whether the match follows the hand. */
+  readonly live = signal(false);
   readonly phase = signal<Phase>("idle");
   readonly energies = signal<readonly Iteration[]>([]);
   readonly problem = signal<string | null>(null);
@@ -70,15 +84,10 @@ export class Session {
     this.canUndo = computed(() => this.history.value.past.length > 0);
     this.canRedo = computed(() => this.history.value.future.length > 0);
     this.preset = computed(() => this.history.value.present.preset);
-    this.match = computed(() => {
-      const solved = this.solved.value;
-      const { reference, template } = this.shapes.value;
-      const current = solved?.reference === reference && solved.template === template;
-      return current || this.phase.value === "solving" ? this.frame.value : null;
-    });
+    this.match = computed(() => (this.running || this.current ? this.frame.value : null));
     this.solver = new Solver(module, {
       frame: (frame) => this.receive(frame),
-      refused: (message) => this.fail(sentence(message)),
+      refused: (message) => this.refuse(sentence(message)),
       unavailable: (message) => this.fail(sentence(message)),
       crashed: (message) =>
         this.fail(
@@ -92,9 +101,17 @@ export class Session {
     return this.history.value.present.examples[side];
   }
 
-  /** The shape while the hand is still moving. */
-  previewShape(side: Side, shape: Shape): void {
+  /** The shape while the hand is still moving. `at` is the time of the event. */
+  previewShape(side: Side, shape: Shape, at: number): void {
+    // Before the page is drawn anew: then the solver works while the page draws.
+    if (this.live.value) this.follow(at);
     this.moving.value = { side, shape };
+    if (!this.live.value) this.shapesChanged();
+  }
+
+  /** Takes back what was previewed. */
+  restoreShape(): void {
+    this.moving.value = null;
     this.shapesChanged();
   }
 
@@ -155,16 +172,32 @@ export class Session {
 
   changeSetting(field: SettingField, value: number | string | boolean): void {
     this.settings.value = withSetting(this.settings.value, field, value);
-    this.restartSoon();
+    this.settingsChanged();
+  }
+
+  /** The setting while its slider is still moving. `at` is the time of the event. */
+  previewSetting(field: SettingField, value: number, at: number): void {
+    if (this.live.value) this.follow(at);
+    this.settings.value = withSetting(this.settings.value, field, value);
+    if (!this.live.value) this.restartSoon();
   }
 
   resetSettings(): void {
     this.settings.value = {};
-    this.restartSoon();
+    this.settingsChanged();
+  }
+
+  /** Switching on begins with a full match, unless there is one to go on from. */
+  setLive(on: boolean): void {
+    this.live.value = on;
+    if (!on && this.phase.value === "following") this.settle();
+    if (!on || this.empty || (this.phase.value === "finished" && this.established && this.current)) return;
+    this.start();
   }
 
   start(): void {
     clearTimeout(this.restarting);
+    this.forgetRun();
     const { reference, template } = this.shapes.value;
     this.problem.value = null;
     this.energies.value = [];
@@ -172,11 +205,7 @@ export class Session {
     // The last picture stays until the first frame of the new run, but not its numbers.
     this.solved.value = { reference, template };
     this.fresh.value = false;
-    this.solver.start(
-      { kind: "curves", loops: [...reference] },
-      { kind: "curves", loops: [...template] },
-      this.settings.value,
-    );
+    this.solver.start(curves(reference), curves(template), this.settings.value);
   }
 
   pause(): void {
@@ -193,6 +222,7 @@ export class Session {
 
   cancel(): void {
     clearTimeout(this.restarting);
+    this.forgetRun();
     this.solver.cancel();
     this.phase.value = "idle";
     this.frame.value = null;
@@ -211,16 +241,54 @@ export class Session {
   /** Whether `match` belongs to the run under way, not to the one before. */
   readonly fresh = signal(false);
 
+  /** To be called when `frame` has been drawn: reports how long it took from the hand to the picture. */
+  drawn(frame: FrameReply | null): void {
+    if (this.received === null || frame !== this.frame.value) return;
+    performance.measure("live-frame", { start: this.received, end: performance.now() });
+    // Observers have it; kept in the page's timeline, every frame would cost memory for good.
+    performance.clearMeasures("live-frame");
+    this.received = null;
+  }
+
   private receive(frame: FrameReply): void {
+    // First of all, for the next update is to be on its way before this frame is drawn.
+    this.follower.answered();
     const { status } = frame;
+    const before = this.frame.value;
+    this.received = this.asked;
+    this.asked = null;
+    if (this.refused) this.problem.value = null;
+    this.refused = false;
     this.frame.value = frame;
     this.fresh.value = true;
-    this.energies.value = [...this.energies.value, ...frame.trail];
-    if (status.finished) this.phase.value = "finished";
+    // Each update's energies are a history of their own, and too short to be read while the hand moves.
+    if (this.phase.value !== "following") {
+      this.energies.value = before?.run === frame.run ? [...this.energies.value, ...frame.trail] : frame.trail;
+    }
+    if (!status.finished || this.phase.value !== "solving") return;
+    if (this.refining && status.mismatch.max > SETTLED_CELLS) {
+      this.start();
+      return;
+    }
+    this.established = true;
+    this.refining = false;
+    this.phase.value = "finished";
+    // The hand has moved on during a full match: catch up with it.
+    if (this.live.value && this.moving.value) this.follow(performance.now());
+  }
+
+  private refuse(message: string): void {
+    if (this.refining) this.start();
+    else if (this.phase.value === "following") {
+      this.refused = true;
+      this.follower.answered();
+      this.problem.value = message;
+    } else this.fail(message);
   }
 
   private fail(message: string): void {
     clearTimeout(this.restarting);
+    this.forgetRun();
     this.phase.value = "idle";
     this.frame.value = null;
     this.problem.value = message;
@@ -240,8 +308,69 @@ export class Session {
     this.shapesChanged();
   }
 
+  private get current(): boolean {
+    const solved = this.solved.value;
+    const { reference, template } = this.shapes.value;
+    return solved?.reference === reference && solved.template === template;
+  }
+
+  private get running(): boolean {
+    return this.phase.value === "solving" || this.phase.value === "following";
+  }
+
+  private get empty(): boolean {
+    return Object.values(this.shapes.value).some((shape) => shape.length === 0);
+  }
+
+  private forgetRun(): void {
+    this.follower.stop();
+    this.established = false;
+    this.refining = false;
+    this.refused = false;
+    this.asked = null;
+  }
+
+  /** Something moves under the hand: the match goes after it, or comes into being first. */
+  private follow(at: number): void {
+    if (this.established) this.follower.follow(at);
+    else if (!this.running && !this.problem.value) this.start();
+  }
+
+  private sendLive(at: number): void {
+    const chosen = this.settings.value;
+    this.asked = at;
+    this.refining = false;
+    this.phase.value = "following";
+    this.update({ ...chosen, finest: Math.min(LIVE_LEVEL, finestLevel(chosen)) });
+  }
+
+  /** The hand has let go: goes on to the finest level, or begins anew where there is nothing to go on from. */
+  private settle(): void {
+    this.follower.stop();
+    if (this.empty) this.cancel();
+    else if (!this.established || this.refused) this.start();
+    else {
+      this.asked = null;
+      this.refining = true;
+      this.phase.value = "solving";
+      this.update(this.settings.value);
+    }
+  }
+
+  private update(settings: Chosen): void {
+    const { reference, template } = this.shapes.value;
+    this.solved.value = { reference, template };
+    this.solver.update(curves(reference), curves(template), complete(settings));
+  }
+
+  private settingsChanged(): void {
+    if (this.live.value) this.settle();
+    else this.restartSoon();
+  }
+
   private shapesChanged(): void {
-    if (this.phase.value === "paused") this.cancel();
+    if (this.live.value) this.settle();
+    else if (this.phase.value === "paused") this.cancel();
     else this.restartSoon();
   }
 
@@ -273,6 +402,10 @@ export class Session {
 function pairFrom(reference: Shape, template: Shape, preset: string | null): Pair {
   const example = preset !== null;
   return { reference, template, preset, examples: { reference: example, template: example } };
+}
+
+function curves(shape: Shape) {
+  return { kind: "curves" as const, loops: [...shape] };
 }
 
 function sentence(message: string): string {

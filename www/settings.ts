@@ -197,8 +197,16 @@ export function withSetting(chosen: Chosen, field: SettingField, value: number |
   return value === field.initial ? others : { ...others, [field.name]: value };
 }
 
+/** Every setting of the page by value: what an update of a run needs, where a field left out keeps its last value. */
+export function complete(chosen: Chosen): Settings {
+  return Object.fromEntries(FIELDS.map(({ name, initial }) => [name, chosen[name] ?? initial]));
+}
+
 /** Half width of the band in domain units, as the solver chooses it. */
 export function bandwidth(chosen: Chosen): number {
-  const finest = chosen.finest ?? 7;
-  return chosen.bandwidth || Math.max(0.05, 1.5 / 2 ** finest);
+  return chosen.bandwidth || Math.max(0.05, 1.5 / 2 ** finestLevel(chosen));
+}
+
+export function finestLevel(chosen: Chosen): number {
+  return chosen.finest ?? 7;
 }

@@ -31,6 +31,12 @@ export class Solver {
     this.send({ kind: "start", run: this.run, reference, template, settings });
   }
 
+  /** Goes on from the match there is with other shapes and settings, all of them given; ends the current run. */
+  update(reference: Shape, template: Shape, settings: Settings): void {
+    this.run += 1;
+    this.send({ kind: "update", run: this.run, reference, template, settings });
+  }
+
   pause(): void {
     this.send({ kind: "pause", run: this.run });
   }

@@ -8,13 +8,18 @@ import init, { Registration } from "./wasm/thinshell.js";
 
 /** Solving between two looks at the message queue. */
 const CHUNK_MILLIS = 30;
+/** The same after an update: somebody's hand may already be further. */
+const FOLLOWING_MILLIS = 4;
 
 type Start = Extract<Request, { kind: "start" }>;
+type Update = Extract<Request, { kind: "update" }>;
 
 /** What the page wants now. Messages only write here; the loop alone touches the solver. */
 const wanted = {
   module: null as WebAssembly.Module | null,
   start: null as Start | null,
+  /** The newest only: it stands for all before it. */
+  update: null as Update | null,
   cancelled: false,
   paused: false,
 };
@@ -22,16 +27,21 @@ let lastFrameTaken = true;
 let wake: () => void = () => {};
 
 self.onmessage = ({ data }: MessageEvent<Request>) => {
-  const current = wanted.start?.run ?? running.run;
+  const current = wanted.update?.run ?? wanted.start?.run ?? running.run;
   if (data.kind === "load") wanted.module = data.module;
   else if (data.kind === "start") {
     wanted.start = data;
+    wanted.update = null;
     wanted.paused = false;
     wanted.cancelled = false;
+  } else if (data.kind === "update") {
+    wanted.update = data;
+    wanted.paused = false;
   } else if (data.run !== current) return;
   else if (data.kind === "taken") lastFrameTaken = true;
   else if (data.kind === "cancel") {
     wanted.start = null;
+    wanted.update = null;
     wanted.cancelled = true;
   } else wanted.paused = data.kind === "pause";
   wake();
@@ -41,6 +51,8 @@ const running = {
   run: -1,
   registration: null as Registration | null,
   finished: false,
+  /** Whether this run goes on from another. */
+  updated: false,
   /** Iterations that no frame has shown yet. */
   trail: [] as Iteration[],
 };
@@ -54,6 +66,7 @@ async function loop(): Promise<never> {
       wanted.cancelled = false;
     }
     if (wanted.start) await begin(wanted.start);
+    if (wanted.update) await change(wanted.update);
     if (!running.registration || running.finished || wanted.paused) await asleep();
     else {
       await solve(running.registration);
@@ -67,14 +80,36 @@ async function begin(start: Start): Promise<void> {
   drop();
   running.run = start.run;
   running.finished = false;
+  running.updated = false;
   running.trail = [];
   lastFrameTaken = true;
   try {
     running.registration = await Registration.create(start.reference, start.template, start.settings);
   } catch (problem) {
-    if (problem instanceof WebAssembly.RuntimeError) throw problem;
-    post({ kind: "refused", run: start.run, message: problem instanceof Error ? problem.message : String(problem) });
+    refuse(start.run, problem);
   }
+}
+
+/** A refused update leaves the registration as it was; there is nothing to go on with until the next. */
+async function change({ run, reference, template, settings }: Update): Promise<void> {
+  wanted.update = null;
+  running.run = run;
+  running.trail = [];
+  lastFrameTaken = true;
+  try {
+    if (!running.registration) throw new Error("There is no match to go on from; press Match.");
+    await running.registration.update({ reference, template, settings });
+    running.finished = false;
+    running.updated = true;
+  } catch (problem) {
+    running.finished = true;
+    refuse(run, problem);
+  }
+}
+
+function refuse(run: number, problem: unknown): void {
+  if (problem instanceof WebAssembly.RuntimeError) throw problem;
+  post({ kind: "refused", run, message: problem instanceof Error ? problem.message : String(problem) });
 }
 
 function drop(): void {
@@ -83,7 +118,7 @@ function drop(): void {
 }
 
 async function solve(registration: Registration): Promise<void> {
-  const until = performance.now() + CHUNK_MILLIS;
+  const until = performance.now() + (running.updated ? FOLLOWING_MILLIS : CHUNK_MILLIS);
   let status: Status;
   do {
     status = await registration.step(1);

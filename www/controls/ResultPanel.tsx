@@ -15,14 +15,15 @@ export function ResultPanel({ session }: { session: Session }) {
 
   useEffect(() => {
     if (!canvas.current) return;
-    const surface = new Surface(canvas.current, MARGIN, (context, frame, colours) =>
+    const surface = new Surface(canvas.current, MARGIN, (context, frame, colours) => {
       drawResult(context, frame, colours, {
         ...session.shapes.value,
         match: matchOf(session),
         morph: session.morph.value,
         bandwidth: bandwidth(session.settings.value),
-      }),
-    );
+      });
+      session.drawn(session.match.value);
+    });
     const stop = effect(() => {
       session.shapes.value;
       session.match.value;
@@ -53,5 +54,6 @@ function words(session: Session): string {
     return `matched, at most ${decimals(status.mismatch.max)} cells off, no cell folded`;
   }
   const side = 2 ** status.level + 1;
-  return `${phase.value === "paused" ? "paused" : "matching"} on the ${side} by ${side} grid`;
+  const doing = { paused: "paused", following: "following your hand" }[phase.value as string] ?? "matching";
+  return `${doing} on the ${side} by ${side} grid`;
 }

@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { changedFields, type Session } from "../session";
-import { FIELDS, parseSetting, type SettingField } from "../settings";
+import { FIELDS, type NumberSetting, parseSetting, type SettingField } from "../settings";
+import { fromSlider, onSlider, SLIDER_STEPS } from "./slider";
 
 const GROUPS = ["Energies", "Grid", "Method"] as const;
 
@@ -72,9 +73,29 @@ function Field({ session, field }: { session: Session; field: SettingField }) {
           {field.unit && <span class="unit">{field.unit}</span>}
         </span>
       )}
+      {field.kind === "number" && <Slider session={session} field={field} value={Number(value)} />}
       <p id={`${id}-help`} class={problem.value ? "help wrong" : "help"}>
         {problem.value ?? field.help}
       </p>
     </div>
+  );
+}
+
+/** The same value by a slider, which Live follows while it moves. */
+function Slider({ session, field, value }: { session: Session; field: NumberSetting; value: number }) {
+  const chosen = (event: { readonly currentTarget: HTMLInputElement }) =>
+    fromSlider(field, event.currentTarget.valueAsNumber);
+  return (
+    <input
+      type="range"
+      aria-label={`${field.label}, slider`}
+      aria-valuetext={`${value} ${field.unit}`.trim()}
+      min={0}
+      max={SLIDER_STEPS}
+      step={1}
+      value={onSlider(field, value)}
+      onInput={(event) => session.previewSetting(field, chosen(event), event.timeStamp)}
+      onChange={(event) => session.changeSetting(field, chosen(event))}
+    />
   );
 }

@@ -1,6 +1,7 @@
-import { effect } from "@preact/signals";
+import { computed, effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Session, Side } from "../session";
+import { finestLevel } from "../settings";
 import { Drawing } from "../shapes/draw";
 import { keyed } from "../shapes/edit";
 import { bounds } from "../shapes/geometry";
@@ -38,15 +39,18 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
       pointFrom: (event) => surface.pointFrom(event),
       shape: () => session.shapes.value[side],
       isExample: () => session.isExample(side),
-      preview: (shape) => session.previewShape(side, shape),
+      preview: (shape, at) => session.previewShape(side, shape, at),
+      restore: () => session.restoreShape(),
       commit: (shape) => session.commitShape(side, shape),
       repaint: () => surface.invalidate(),
     });
     drawing.current = hand;
+    // Computed, so that this surface rests while only the other shape or the match moves.
+    const shape = computed(() => session.shapes.value[side]);
+    const coloured = computed(() => colourOf(session, side));
     const stop = effect(() => {
-      session.shapes.value;
-      session.match.value;
-      session.phase.value;
+      shape.value;
+      coloured.value;
       session.settings.value;
       surface.invalidate();
     });
@@ -107,7 +111,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
 
 /** The solver refuses a shape within two cells of the finest grid from the border: show it before it does. */
 function tooClose(session: Session, side: Side): number | null {
-  const limit = 2 / 2 ** (session.settings.value.finest ?? 7);
+  const limit = 2 / 2 ** finestLevel(session.settings.value);
   const box = bounds(session.shapes.value[side]);
   const distance = box ? Math.min(box.left, box.bottom, 1 - box.right, 1 - box.top) : 1;
   return distance < limit ? limit : null;
@@ -117,7 +121,11 @@ function tooClose(session: Session, side: Side): number | null {
 function colouredLoops(session: Session, side: Side) {
   const shape = session.shapes.value[side];
   if (side === "reference") return zip(shape, arcLengthParts(shape));
-  const match = session.match.value;
-  if (!match?.status.finished || session.phase.value !== "finished") return null;
-  return zip(match.curves.matched, arcLengthParts(match.curves.reference));
+  const match = colourOf(session, side);
+  return match && zip(match.curves.matched, arcLengthParts(match.curves.reference));
+}
+
+/** The finished match that gives the template its colours. */
+function colourOf(session: Session, side: Side) {
+  return side === "template" && session.phase.value === "finished" ? session.match.value : null;
 }

@@ -2,6 +2,7 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Status } from "../protocol";
 import type { Session } from "../session";
+import { finestLevel } from "../settings";
 import { drawEnergies } from "../view/chart";
 import { theme } from "../view/palette";
 import { decimals } from "./numbers";
@@ -10,11 +11,11 @@ import { decimals } from "./numbers";
 export function StatusPanel({ session }: { session: Session }) {
   const phase = session.phase.value;
   const status = session.fresh.value ? session.match.value?.status : undefined;
-  const working = phase === "solving" || phase === "paused";
+  const working = phase === "solving" || phase === "following" || phase === "paused";
   return (
     <div class="status-row">
       {/* Thirty updates a second would drown a screen reader: it hears the beginning and the end. */}
-      <div role="status" aria-live={phase === "solving" && status ? "off" : "polite"}>
+      <div role="status" aria-live={working && phase !== "paused" && status ? "off" : "polite"}>
         <p class="headline">{headline(session, status)}</p>
         {status && (
           <dl>
@@ -75,6 +76,8 @@ function headline(session: Session, status: Status | undefined): string {
       return "Ready: press Match.";
     case "solving":
       return status ? `Matching on the ${gridName(status.level)} grid …` : "Starting …";
+    case "following":
+      return "Following your hand …";
     case "paused":
       return "Paused.";
     case "finished":
@@ -89,7 +92,7 @@ export function Progress({ session }: { session: Session }) {
   if (phase !== "solving" && phase !== "paused") return <div class="progress idle" />;
   const status = session.fresh.value ? session.match.value?.status : undefined;
   const coarsest = session.settings.value.coarsest ?? 4;
-  const finest = session.settings.value.finest ?? 7;
+  const finest = finestLevel(session.settings.value);
   // Nobody knows how many iterations a level will take: each brings the bar closer to the next level's mark.
   const within = status ? status.iteration / (status.iteration + 20) : 0;
   const done = status ? (status.level - coarsest + within) / (finest - coarsest + 1) : 0;

@@ -14,6 +14,16 @@ export function Toolbar({ session }: { session: Session }) {
         </button>
         <button
           type="button"
+          class="switch"
+          role="switch"
+          aria-checked={session.live.value}
+          title="The match follows your hand while you change a shape or a setting"
+          onClick={() => session.setLive(!session.live.value)}
+        >
+          Live
+        </button>
+        <button
+          type="button"
           disabled={!working}
           onClick={() => (phase === "paused" ? session.resume() : session.pause())}
         >

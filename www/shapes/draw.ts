@@ -17,8 +17,10 @@ export interface DrawingHost {
   shape(): Shape;
   /** An untouched example: the first stroke replaces it. */
   isExample(): boolean;
-  /** The shape while the hand is still moving; comes often. */
-  preview(shape: Shape): void;
+  /** The shape while the hand is still moving; comes often. `at` is the time of the event. */
+  preview(shape: Shape, at: number): void;
+  /** Puts back the shape of before the gesture. */
+  restore(): void;
   /** The shape when the hand lets go; one step to undo. */
   commit(shape: Shape): void;
   /** Stroke, hover or grip have changed. */
@@ -75,7 +77,7 @@ export class Drawing {
   cancel(): void {
     const gesture = this.gesture;
     this.gesture = null;
-    if (gesture && gesture.kind !== "stroke") this.host.preview(gesture.before);
+    if (gesture && gesture.kind !== "stroke") this.host.restore();
     this.host.repaint();
   }
 
@@ -122,7 +124,7 @@ export class Drawing {
       for (const sample of batch.length > 0 ? batch : [event]) gesture.points.push(this.host.pointFrom(sample));
       this.host.repaint();
     } else if (gesture.kind === "pinch") {
-      this.host.preview(this.pinched(gesture.start, gesture.before));
+      this.host.preview(this.pinched(gesture.start, gesture.before), event.timeStamp);
     } else {
       const x = point.x - gesture.start.x;
       const y = point.y - gesture.start.y;
@@ -130,6 +132,7 @@ export class Drawing {
       if (!gesture.moved) return;
       this.host.preview(
         gesture.kind === "pull" ? pulled(gesture.before, gesture.grip, x, y) : transformed(gesture.before, shift(x, y)),
+        event.timeStamp,
       );
     }
   }

@@ -3,7 +3,7 @@
 //   npm run reproduce -- strain rotation        only the experiments named; prints, writes nothing
 //   npm run reproduce -- --shapes FILE.json     adds a table of the consecutive polygons of a file
 //                                               [{ "name": …, "points": [[x, y], …] }, …]
-//   … --shapes FILE.json --credit "…"           names the file's source in the document
+//   … --shapes FILE.json --about "…"            what the document says of the file: its source, its terms
 
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
@@ -14,7 +14,7 @@ import { buildWasm } from "./wasm.mjs";
 
 await main(async () => {
   const { values, positionals } = parseArgs({
-    options: { shapes: { type: "string" }, credit: { type: "string" } },
+    options: { shapes: { type: "string" }, about: { type: "string" } },
     allowPositionals: true,
   });
   if (values.shapes !== undefined && !existsSync(values.shapes))
@@ -40,7 +40,7 @@ await main(async () => {
     const title = `Real shapes: ${basename(values.shapes ?? "")}`;
     heading(title);
     const blocks = await experiments.matchPolygons(experiments.context, polygons);
-    chapters.push({ id: "shapes", title, paper: "", setup: values.credit ?? "", blocks });
+    chapters.push({ id: "shapes", title, paper: "", setup: values.about ?? "", blocks });
   }
   const text = experiments.document(chapters);
   if (positionals.length > 0) console.log(`\n${text}`);

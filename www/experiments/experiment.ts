@@ -38,6 +38,8 @@ export type Experiment = {
   readonly paper: string;
   /** What is done here: shapes, settings, what is measured. */
   readonly setup: string;
+  /** Whether "short" is another computation than "full". */
+  readonly hasShortForm: boolean;
   readonly run: (context: Context, size: Size) => Promise<Block[]>;
 };
 

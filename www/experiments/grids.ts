@@ -12,6 +12,7 @@ export const gridsExperiment: Experiment = {
     "The circle's match with the ellipse by volume energy alone, and by the thin shell. Volume energy pulls the grid out near the tips and leaves the rest; the shell spreads the stretch evenly along the curve.",
   setup:
     "The shapes and settings of Table 1 on 65² nodes, and volume energy once more with the vertex share θ = 0.25 instead of 0. Every second grid line is drawn; ticks join points of the circle, equally spaced, with their partners.",
+  hasShortForm: false,
   async run(context) {
     const level = 6;
     const variants = [

@@ -32,6 +32,7 @@ export const cascadeExperiment: Experiment = {
     "Complex surfaces are matched level by level, δ and ε halved each time (Fig. 7): the coarse levels find the large motion, the fine ones the features.",
   setup:
     "The page's example “Hand → spread hand” with default settings, without alignment: 17² to 129² nodes, the state at the end of each level. Then the finest level alone, from the identity: once with the δ and ε that the cascade has there, once with those it starts with.",
+  hasShortForm: true,
   async run(context, size) {
     const finest = size === "full" ? 7 : 6;
     await context.progress(0, "cascade");

@@ -1,6 +1,6 @@
 /** The metric: energy over iterations and over time for Sobolev gradients of several β and for Newton's method. */
 
-import { type Context, type Experiment, nodes, type Settings, seconds, table, text } from "./experiment";
+import { type Context, type Experiment, nodes, type Settings, seconds, small, table, text } from "./experiment";
 import { circle, ellipse } from "./shapes";
 import { type Solution, solve } from "./solve";
 import { charts } from "./svg";
@@ -33,6 +33,10 @@ export async function descend(context: Context, level: number, settings: Partial
 /** Relative gap to the least energy that counts as converged in the table. */
 const GAP = 1e-3;
 
+function lastGap(gap: number): string {
+  return gap > 0 ? small(gap) : "0 (the least)";
+}
+
 export const metricExperiment: Experiment = {
   id: "metric",
   title: "The metric: L², Sobolev, Newton",
@@ -40,6 +44,7 @@ export const metricExperiment: Experiment = {
     "The gradient is taken in the metric (1 − β²/2 Δ)⁻¹ with β halved as the search goes on: large regions move together at first. The paper uses it with Fletcher–Reeves directions and shows no comparison.",
   setup:
     "Circle of radius 0.2 to an ellipse with half axes 0.3 and 0.22, on a single level of 65² nodes (33² in the short form) from the identity, with the δ and ε that a cascade from 17² has there, tolerance 10⁻¹², at most 1500 iterations. β is halved whenever the energy stalls, down to h. The first curve starts at β = h, where the metric is as close to L² as this implementation goes. Shown: the energy less the least one found, over iterations and over time.",
+  hasShortForm: true,
   async run(context, size) {
     const level = size === "full" ? 6 : 5;
     const runs: { name: string; solution: Solution }[] = [];
@@ -65,7 +70,7 @@ export const metricExperiment: Experiment = {
             at < 0 ? "not reached" : String(at + 1),
             at < 0 ? "" : seconds(solution.moments[at].millis),
             String(solution.iterations),
-            gap(solution.end.status.energies.total).toExponential(1),
+            lastGap(gap(solution.end.status.energies.total)),
           ];
         }),
       ),

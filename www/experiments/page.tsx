@@ -28,7 +28,7 @@ function App({ runs }: { runs: Runs }) {
 }
 
 function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
-  const { id, title, paper, setup } = experiment;
+  const { id, title, paper, setup, hasShortForm } = experiment;
   const run = runs.of(id).value;
   return (
     <section id={id} class="experiment" aria-labelledby={`${id}-title`}>
@@ -49,14 +49,16 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
             <button
               type="button"
               class="primary"
-              onClick={() => runs.start(id, "short")}
+              onClick={() => runs.start(id, hasShortForm ? "short" : "full")}
               aria-label={`Compute: ${title}`}
             >
               Compute
             </button>
-            <button type="button" onClick={() => runs.start(id, "full")} aria-label={`Compute in full: ${title}`}>
-              Compute in full
-            </button>
+            {hasShortForm && (
+              <button type="button" onClick={() => runs.start(id, "full")} aria-label={`Compute in full: ${title}`}>
+                Compute in full
+              </button>
+            )}
           </>
         )}
       </div>

@@ -69,6 +69,7 @@ export const strainExperiment: Experiment = {
   paper:
     "A circle is matched with an ellipse whose perimeter is 2.38 times as long, on 33² to 513² nodes. With the thin shell the standard deviation of the tangential strain halves with every refinement: 0.1758, 0.0875, 0.0440, 0.0234, 0.0143. With volume energy alone, eq. (9), it stays near 0.8 whatever the grid.",
   setup: `Circle of radius ${RADIUS}, ellipse with half axes ${HALF_AXES.join(" and ")}, so that the perimeters' ratio is ${(ellipsePerimeter(...HALF_AXES) / (2 * Math.PI * RADIUS)).toFixed(3)}; both centred in the unit box. Shell: α_bend = 0, σ = 0.04, otherwise defaults. Volume only: ξ = 1, ζ = 10⁻³, 1/ε = 10⁵ on all levels, α_mem = α_bend = 0, θ = 0. One cascade from 17² upwards; each row is the state when its level ends. Measured: the standard deviation, by area, of l = |Dφ t| over all Gauss points with |d₁| < h, where t is the tangent of the offset circle through the point.`,
+  hasShortForm: true,
   async run(context, size) {
     const finest = size === "full" ? 9 : 7;
     await context.progress(0, "thin shell");
@@ -125,7 +126,7 @@ export const strainExperiment: Experiment = {
                 shell.map((row) => row.deviation),
               ),
               curve(
-                "law, evenly stretched",
+                "law",
                 shell.map((row) => law(row.level)),
               ),
               curve("paper, thin shell", PAPER_SHELL.slice(0, shell.length)),

@@ -31,6 +31,8 @@ export type Panel = {
   readonly level?: number;
   /** φ at the nodes of `level`: drawn as a deformed grid. */
   readonly deformation?: Float64Array;
+  /** Grid lines a direction, a power of two; 32 unless given. */
+  readonly lines?: number;
   readonly reference?: Loops;
   readonly template?: Loops;
   readonly matched?: Loops;
@@ -56,58 +58,79 @@ export function panels(list: readonly Panel[], columns: number, size: number): s
 }
 
 function onePanel(panel: Panel, size: number): string {
-  const point = (x: number, y: number) => `${tenth(x * size)} ${tenth(HEAD + (1 - y) * size)}`;
+  const place: Place = (x, y) => [x * size, (1 - y) * size];
   const closed = (kind: string, loops: Loops = []) =>
-    loops.length === 0 ? "" : `<path class="${kind}" d="${loops.map((loop) => outline(loop, point)).join("")}"/>`;
+    loops.length === 0 ? "" : `<path class="${kind}" d="${loops.map((loop) => outline(loop, place)).join("")}"/>`;
   const { level, deformation } = panel;
   const parts = [
     `<text x="0" y="14">${escaped(panel.title)}</text>`,
     `<rect class="frame" x="0" y="${HEAD}" width="${size}" height="${size}"/>`,
-    level !== undefined && deformation ? `<path class="grid" d="${grid(level, deformation, point)}"/>` : "",
+    // An svg of its own cuts off what the natural boundary lets out of the box.
+    `<svg y="${HEAD}" width="${size}" height="${size}">`,
+    level !== undefined && deformation
+      ? `<path class="grid" d="${grid(level, deformation, panel.lines ?? 32, place)}"/>`
+      : "",
     closed("template", panel.template),
     closed("reference", panel.reference),
     closed("matched", panel.matched),
-    panel.ticks ? ticks(panel, point) : "",
+    panel.ticks ? ticks(panel, place) : "",
+    "</svg>",
     panel.note ? `<text x="0" y="${HEAD + size + 15}">${escaped(panel.note)}</text>` : "",
   ];
   return parts.filter((part) => part !== "").join("\n");
 }
 
-type Place = (x: number, y: number) => string;
+type Place = (x: number, y: number) => readonly [number, number];
+
+/** A polyline in tenths of a pixel, point by point from the one before: half as long as with whole coordinates. */
+function polyline(points: readonly (readonly [number, number])[]): string {
+  let path = "";
+  let [x, y] = [0, 0];
+  for (const [i, point] of points.entries()) {
+    const [nextX, nextY] = [Math.round(10 * point[0]), Math.round(10 * point[1])];
+    path += `${i === 0 ? "M" : i === 1 ? "l" : " "}${(nextX - x) / 10} ${(nextY - y) / 10}`;
+    [x, y] = [nextX, nextY];
+  }
+  return path;
+}
 
 /** At most this many points a loop: more cannot be told apart at a panel's size. */
 const OUTLINE_POINTS = 240;
 
-function outline(loop: Float64Array, point: Place): string {
+function outline(loop: Float64Array, place: Place): string {
   const count = loop.length / 2;
   const stride = Math.ceil(count / OUTLINE_POINTS);
-  let path = "";
-  for (let i = 0; i < count; i += stride) path += `${i === 0 ? "M" : "L"}${point(loop[2 * i], loop[2 * i + 1])}`;
-  return `${path}Z`;
+  const points = [];
+  for (let i = 0; i < count; i += stride) points.push(place(loop[2 * i], loop[2 * i + 1]));
+  return `${polyline(points)}Z`;
 }
 
-/** Lines of the grid shown a direction, and pieces of every line. */
-const LINES = 32;
+/** Pieces of every grid line shown. */
+const PIECES = 32;
 
-function grid(level: number, deformation: Float64Array, point: Place): string {
+function grid(level: number, deformation: Float64Array, lines: number, place: Place): string {
   const cells = 2 ** level;
-  const stride = Math.max(1, cells / LINES);
+  const between = Math.max(1, cells / lines);
+  const stride = Math.max(1, cells / PIECES);
   let path = "";
-  for (let line = 0; line <= cells; line += stride)
-    for (const along of [0, 1])
+  for (let line = 0; line <= cells; line += between)
+    for (const along of [0, 1]) {
+      const points = [];
       for (let k = 0; k <= cells; k += stride) {
         const node = 2 * (along === 0 ? line * (cells + 1) + k : k * (cells + 1) + line);
-        path += `${k === 0 ? "M" : "L"}${point(deformation[node], deformation[node + 1])}`;
+        points.push(place(deformation[node], deformation[node + 1]));
       }
+      path += polyline(points);
+    }
   return path;
 }
 
-function ticks({ reference = [], matched = [] }: Panel, point: Place): string {
+function ticks({ reference = [], matched = [] }: Panel, place: Place): string {
   let path = "";
   reference.forEach((loop, l) => {
     const stride = 2 * Math.max(1, Math.floor(loop.length / 2 / 40));
     for (let i = 0; i < loop.length; i += stride)
-      path += `M${point(loop[i], loop[i + 1])}L${point(matched[l][i], matched[l][i + 1])}`;
+      path += polyline([place(loop[i], loop[i + 1]), place(matched[l][i], matched[l][i + 1])]);
   });
   return `<path class="tick" d="${path}"/>`;
 }
@@ -123,16 +146,16 @@ export type Chart = {
   readonly logY?: boolean;
 };
 
-const CHART = { width: 380, height: 300, left: 58, right: 12, top: 30, bottom: 44 };
+const CHART = { width: 380, height: 300, left: 58, right: 24, top: 30, bottom: 44 };
 /** Points a curve; a tenth of a pixel is all that can be seen. */
 const CURVE_POINTS = 160;
 
 /** Charts side by side, their common legend below. */
 export function charts(list: readonly Chart[]): string {
   const names = list[0].series.map((series) => series.name);
-  const perRow = Math.max(1, Math.floor((CHART.width * list.length) / 180));
+  const perRow = Math.max(1, Math.floor((CHART.width * list.length - CHART.left) / 160));
   const legend = names.map((name, i) => {
-    const [x, y] = [CHART.left + (i % perRow) * 175, CHART.height + 12 + 20 * Math.floor(i / perRow)];
+    const [x, y] = [CHART.left + (i % perRow) * 160, CHART.height + 12 + 20 * Math.floor(i / perRow)];
     return `<path class="series s${i % 6}" d="M${x} ${y - 4}h22"${dash(i)}/><text x="${x + 28}" y="${y}">${escaped(name)}</text>`;
   });
   return svg(

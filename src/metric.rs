@@ -55,11 +55,16 @@ impl<const D: usize> SobolevMetric<D> {
         // A real transform takes the real and the imaginary part for two components at no extra cost.
         for first in (0..D).step_by(2) {
             let paired = first + 1 < D;
-            for (node, c) in self.field.iter_mut().enumerate() {
+            for (row, line) in self.field.chunks_exact_mut(side).enumerate() {
                 // The end nodes carry half a cell, so dividing by the weights doubles them.
-                let weight: f64 = self.grid.node_index(node).iter().map(|&i| ends(i)).product();
-                let imaginary = if paired { values[node * D + first + 1] } else { 0.0 };
-                *c = Complex::new(values[node * D + first] * weight, imaginary * weight);
+                let index = self.grid.node_index(row * side);
+                let outer: f64 = index[1..].iter().map(|&i| ends(i)).product();
+                for (column, c) in line.iter_mut().enumerate() {
+                    let node = row * side + column;
+                    let weight = outer * ends(column);
+                    let imaginary = if paired { values[node * D + first + 1] } else { 0.0 };
+                    *c = Complex::new(values[node * D + first] * weight, imaginary * weight);
+                }
             }
             for _ in 0..D {
                 self.transform_and_turn();

@@ -39,7 +39,7 @@ struct Level<const D: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solve {
     pub iterations: usize,
-    /// |r| / |b| at the end, in the norm of the preconditioner.
+    /// |r| / |b| at the end.
     pub relative_residual: f64,
 }
 
@@ -98,12 +98,13 @@ impl<const D: usize> Multigrid<D> {
         self.precondition();
         self.search.copy_from_slice(&self.levels[0].solution);
         let mut square = dot(&self.residual, &self.search);
-        let first = square;
+        let first = dot(&self.residual, &self.residual);
+        let mut rest = first;
         let mut iterations = 0;
-        while iterations < max_iterations && square > tolerance * tolerance * first {
+        while iterations < max_iterations {
             layout.apply(&self.levels[0].operator, &self.search, &mut self.image);
             let curvature = dot(&self.search, &self.image);
-            // No curvature left along the search direction: f64 is at its end, or the operator is singular there.
+            // No curvature left along the search direction: f32 is at its end, or the operator is singular there.
             if !(curvature > 0.0 && square.is_finite()) {
                 break;
             }
@@ -111,6 +112,10 @@ impl<const D: usize> Multigrid<D> {
             add_scaled(&mut self.solution, step, &self.search);
             add_scaled(&mut self.residual, -step, &self.image);
             iterations += 1;
+            rest = dot(&self.residual, &self.residual);
+            if rest <= tolerance * tolerance * first {
+                break;
+            }
             self.precondition();
             let next = dot(&self.residual, &self.levels[0].solution);
             let gamma = (next / square) as f32;
@@ -120,7 +125,7 @@ impl<const D: usize> Multigrid<D> {
             square = next;
         }
         layout.load(&self.solution, scale, x);
-        Solve { iterations, relative_residual: (square.max(0.0) / first).sqrt() }
+        Solve { iterations, relative_residual: (rest / first).sqrt() }
     }
 
     /// One V-cycle on the residual, from zero, into the finest level's solution.

@@ -34,7 +34,7 @@ type Edges<S, const D: usize> = [[Vector<S, D>; MAX_EDGES]; D];
 type Columns<S, const D: usize> = [[Vector<S, D>; MAX_COLUMNS]; D];
 type Corners<S, const D: usize> = [Vector<S, D>; MAX_CORNERS];
 /// The curvature of a cell: `pairs[a][b]` is the block of corners a ≤ b.
-type Pairs<S, const D: usize> = [[Matrix<S, D>; MAX_CORNERS]; MAX_CORNERS];
+type Pairs<S, const D: usize, const C: usize> = [[Matrix<S, D>; C]; C];
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     /// # Panics
@@ -76,7 +76,21 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         self.band.packs.len() * S::LANES
     }
 
+    /// With C = 2^D, which the type system cannot compute, as the size of local arrays.
     fn evaluate<const ORDER: u8>(
+        &self,
+        displacement: &[f64],
+        gradient: &mut [f64],
+        operator: &mut Option<&mut StencilOperator<D>>,
+    ) -> Evaluation {
+        match D {
+            2 => self.evaluate_cells::<ORDER, 4>(displacement, gradient, operator),
+            3 => self.evaluate_cells::<ORDER, 8>(displacement, gradient, operator),
+            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
+        }
+    }
+
+    fn evaluate_cells<const ORDER: u8, const C: usize>(
         &self,
         displacement: &[f64],
         gradient: &mut [f64],
@@ -92,15 +106,15 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             operator.clear();
         }
         let mut energies = Energies::default();
-        let least_determinant = self.volume_pass::<ORDER>(displacement, gradient, operator, &mut energies);
+        let least_determinant = self.volume_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
         if least_determinant > 0.0 {
-            self.shell_pass::<ORDER>(displacement, gradient, operator, &mut energies);
+            self.shell_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
         }
         Evaluation { energies, least_determinant }
     }
 
     /// Volume energy over all cells; returns the least determinant, and early once it is not positive.
-    fn volume_pass<const ORDER: u8>(
+    fn volume_pass<const ORDER: u8, const C: usize>(
         &self,
         displacement: &[f64],
         gradient: &mut [f64],
@@ -141,7 +155,8 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             if ORDER >= CURVATURE
                 && let Some(operator) = operator
             {
-                let pairs = self.volume_pairs(&volume, weight, &edges, inverse);
+                let mut pairs = [[[[S::zero(); D]; D]; C]; C];
+                self.add_volume_pairs(&volume, weight, &edges, inverse, &mut pairs);
                 self.scatter_pairs(&pairs, nodes, operator);
             }
             if (pack + 1) % packs_a_row == 0 && least.least() <= 0.0 {
@@ -191,48 +206,48 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     /// The volume's curvature of a pack. 2^D Gauss points suffice: they leave no mode of the cell without
     /// curvature, and the minimiser needs as many iterations as with 3^D.
     #[inline(always)]
-    fn volume_pairs(&self, volume: &Volume, weight: S, edges: &Edges<S, D>, inverse: S) -> Pairs<S, D> {
+    fn add_volume_pairs<const C: usize>(
+        &self,
+        volume: &Volume,
+        weight: S,
+        edges: &Edges<S, D>,
+        inverse: S,
+        pairs: &mut Pairs<S, D, C>,
+    ) {
         let rule = &self.gauss2;
         let columns = columns_of(rule, edges);
-        let zero = S::zero();
-        // `by_edges[p][q][e][f]`: edge e along axis p against edge f along axis q.
-        let mut by_edges = [[[[[[zero; D]; D]; MAX_EDGES]; MAX_EDGES]; D]; D];
         let scaled = weight * inverse * inverse;
-        for point in 0..Rule::<D, 2>::POINTS {
+        let mut curvatures = [[[[[S::zero(); D]; D]; D]; D]; C];
+        for (point, curvature) in curvatures.iter_mut().enumerate() {
             let mut response = Response::zero();
             let slots = slots_at(rule, &columns, point);
             volume.add::<S, CURVATURE>(scaled * S::splat(rule.weight[point]), &Point::of_slots(slots), &mut response);
-            for p in 0..D {
-                for e in 0..Rule::<D, 2>::EDGES {
-                    let own = S::splat(rule.edge[rule.column[point][p]][e]);
-                    for q in p..D {
-                        for f in 0..Rule::<D, 2>::EDGES {
-                            let share = own * S::splat(rule.edge[rule.column[point][q]][f]);
-                            for a in 0..D {
-                                for b in 0..D {
-                                    by_edges[p][q][e][f][a][b] += share * response.curvature[p][q][a][b];
-                                }
-                            }
-                        }
-                    }
-                }
-            }
+            *curvature = response.curvature;
         }
-        let mut pairs = [[[[zero; D]; D]; MAX_CORNERS]; MAX_CORNERS];
+        // A derivative of φ is an average over edges, so edge pairs are integrated and then handed to their ends.
         for p in 0..D {
             for q in p..D {
                 for e in 0..Rule::<D, 2>::EDGES {
                     for f in 0..Rule::<D, 2>::EDGES {
-                        add_edge_pair(&mut pairs, (p, e), (q, f), &by_edges[p][q][e][f]);
+                        let mut block = [[S::zero(); D]; D];
+                        for (point, curvature) in curvatures.iter().enumerate() {
+                            let column = &rule.column[point];
+                            let share = S::splat(rule.edge[column[p]][e] * rule.edge[column[q]][f]);
+                            for a in 0..D {
+                                for b in 0..D {
+                                    block[a][b] += share * curvature[p][q][a][b];
+                                }
+                            }
+                        }
+                        add_edge_pair(pairs, (p, e), (q, f), &block);
                     }
                 }
             }
         }
-        pairs
     }
 
     /// Membrane, bending and mismatch over the band's cells.
-    fn shell_pass<const ORDER: u8>(
+    fn shell_pass<const ORDER: u8, const C: usize>(
         &self,
         displacement: &[f64],
         gradient: &mut [f64],
@@ -252,7 +267,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
 
             let mut stress = [[[S::zero(); D]; MAX_COLUMNS]; D];
             let mut corner_forces = [[S::zero(); D]; MAX_CORNERS];
-            let mut pairs = [[[[S::zero(); D]; D]; MAX_CORNERS]; MAX_CORNERS];
+            let mut pairs = [[[[S::zero(); D]; D]; C]; C];
             for point in 0..Rule::<D, 3>::POINTS {
                 let sample = ReferenceSample::<S, D>::read(samples, point);
                 let derivative = slots_at(rule, &columns, point);
@@ -316,16 +331,16 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
 
     /// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i and s_ay = N_a.
     #[inline(always)]
-    fn add_shell_pairs(
+    fn add_shell_pairs<const C: usize>(
         &self,
-        pairs: &mut Pairs<S, D>,
+        pairs: &mut Pairs<S, D, C>,
         point: usize,
         tangents: &[Vector<S, D>; D],
         response: &Response<S, D>,
         inverse: S,
     ) {
         let rule = &self.gauss3;
-        let mut values = [[S::zero(); D]; MAX_CORNERS];
+        let mut values = [[S::zero(); D]; C];
         for axis in 0..D {
             for edge in 0..Rule::<D, 3>::EDGES {
                 let slope = inverse * S::splat(rule.edge[rule.column[point][axis]][edge]);
@@ -393,7 +408,12 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     }
 
     #[inline(always)]
-    fn scatter_pairs(&self, pairs: &Pairs<S, D>, nodes: [usize; 2], operator: &mut StencilOperator<D>) {
+    fn scatter_pairs<const C: usize>(
+        &self,
+        pairs: &Pairs<S, D, C>,
+        nodes: [usize; 2],
+        operator: &mut StencilOperator<D>,
+    ) {
         let offsets = self.grid.corner_offsets();
         for a in 0..Grid::<D>::CORNERS {
             for b in a..Grid::<D>::CORNERS {
@@ -490,8 +510,8 @@ fn edge_forces_to_corners<S: Scalar, const D: usize>(forces: &Edges<S, D>, inver
 
 /// Adds the block of two edges to the blocks of their ends; (p, e) against (q, f) stands for its mirror image too.
 #[inline(always)]
-fn add_edge_pair<S: Scalar, const D: usize>(
-    pairs: &mut Pairs<S, D>,
+fn add_edge_pair<S: Scalar, const D: usize, const C: usize>(
+    pairs: &mut Pairs<S, D, C>,
     (p, e): (usize, usize),
     (q, f): (usize, usize),
     block: &Matrix<S, D>,

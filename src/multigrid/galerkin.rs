@@ -7,49 +7,68 @@ use crate::stencil::StencilOperator;
 /// A fine node at offset o ∈ {−1,0,1}^D from a coarse node belongs to it by the share 2^(−|o|). The row of each such
 /// node is passed on to the coarse nodes around, by the same shares.
 pub(super) fn coarsen<const D: usize>(fine: &StencilOperator<D>, coarse: &mut StencilOperator<D>) {
+    match D {
+        2 => coarsen_blocks::<D, 4, 9>(fine, coarse),
+        3 => coarsen_blocks::<D, 9, 27>(fine, coarse),
+        _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
+    }
+}
+
+/// With B = D² numbers a block and N = 3^D blocks a row, so that a row is summed in registers.
+fn coarsen_blocks<const D: usize, const B: usize, const N: usize>(
+    fine: &StencilOperator<D>,
+    coarse: &mut StencilOperator<D>,
+) {
     let (fine_grid, grid) = (fine.grid(), coarse.grid());
     let routes = Routes::<D>::new();
-    let row_length = StencilOperator::<D>::ROW;
-    for node in 0..grid.node_count() {
+    let (sources, _) = fine.blocks().as_chunks::<B>();
+    let (targets, _) = coarse.blocks_mut().as_chunks_mut::<B>();
+    for (node, target) in targets.chunks_exact_mut(N).enumerate() {
         let index = grid.node_index(node);
-        let target = &mut coarse.blocks_mut()[node * row_length..][..row_length];
-        target.fill(0.0);
+        let mut sums = [[0.0; B]; N];
         for (offset, routes) in &routes.by_offset {
             let place: [isize; D] = std::array::from_fn(|k| 2 * index[k] as isize + offset[k]);
             if place.iter().any(|&i| i < 0 || i as usize >= fine_grid.side()) {
                 continue;
             }
-            let source = &fine.blocks()[fine_grid.node(place.map(|i| i as usize)) * row_length..][..row_length];
-            for &(from, to, share) in routes {
-                let (from, to) = (&source[from..][..D * D], &mut target[to..][..D * D]);
-                for (t, f) in to.iter_mut().zip(from) {
-                    *t += share * f;
+            let first = fine_grid.node(place.map(|i| i as usize)) * N;
+            let source: &[[f32; B]; N] = sources[first..][..N].try_into().expect("a row has N blocks");
+            for route in routes {
+                let (from, to) = (&source[route.from], &mut sums[route.to]);
+                for k in 0..B {
+                    to[k] += route.share * from[k];
                 }
             }
         }
+        target.copy_from_slice(&sums);
     }
 }
 
-/// Where the blocks of a fine row go: positions in the rows, and the share.
+/// From which neighbour of a fine node to which neighbour of the coarse one, and by which share.
+struct Route {
+    from: usize,
+    to: usize,
+    share: f32,
+}
+
 struct Routes<const D: usize> {
-    by_offset: Vec<([isize; D], Vec<(usize, usize, f32)>)>,
+    by_offset: Vec<([isize; D], Vec<Route>)>,
 }
 
 impl<const D: usize> Routes<D> {
     fn new() -> Self {
-        let block = D * D;
         let by_offset = (0..StencilOperator::<D>::NEIGHBOURS)
             .map(|own| {
                 let offset = StencilOperator::<D>::offset(own);
                 let own_share: f32 = offset.iter().map(|&o| share(o)).product();
                 let mut routes = Vec::new();
-                for neighbour in 0..StencilOperator::<D>::NEIGHBOURS {
-                    let beside = StencilOperator::<D>::offset(neighbour);
-                    for target in 0..StencilOperator::<D>::NEIGHBOURS {
-                        let coarse = StencilOperator::<D>::offset(target);
+                for from in 0..StencilOperator::<D>::NEIGHBOURS {
+                    let beside = StencilOperator::<D>::offset(from);
+                    for to in 0..StencilOperator::<D>::NEIGHBOURS {
+                        let coarse = StencilOperator::<D>::offset(to);
                         let weight: f32 = (0..D).map(|k| share(offset[k] + beside[k] - 2 * coarse[k])).product();
                         if weight > 0.0 {
-                            routes.push((neighbour * block, target * block, own_share * weight));
+                            routes.push(Route { from, to, share: own_share * weight });
                         }
                     }
                 }

@@ -62,7 +62,7 @@ function pathOf(found: Found): string {
     parts: choice.mainPart ? "largest" : "all",
     holes: "keep",
     placement: "fit",
-    smoothing: 0,
+    smoothing: choice.smoothing,
   });
   return shape
     .map((loop) => {

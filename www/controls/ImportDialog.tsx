@@ -125,7 +125,10 @@ export function ImportDialog({ session }: { session: Session }) {
             close();
           }}
           onShape={(name, loops) =>
-            show({ kind: "shapes", choices: [{ name, loops, placed: true, mainPart: false }], notes: [] }, name)
+            show(
+              { kind: "shapes", choices: [{ name, loops, placed: true, mainPart: false, smoothing: 0 }], notes: [] },
+              name,
+            )
           }
         />
       )}

@@ -55,6 +55,9 @@ export function begun(found: Exclude<Found, { kind: "saved" }>, source: string, 
   );
 }
 
+/** The smoothing that outlines of pictures begin with, in cells: their pixels are steps. */
+const PIXELS = 1;
+
 /** Each choice begins as its file means it. */
 export function withChoice(draft: Draft, chosen: number): Draft {
   const choice = draft.choices[chosen];
@@ -63,6 +66,7 @@ export function withChoice(draft: Draft, chosen: number): Draft {
     chosen,
     parts: choice?.mainPart ? "largest" : "all",
     placement: choice?.placed ? "asIs" : "fit",
+    smoothing: choice?.smoothing ?? PIXELS,
   };
 }
 

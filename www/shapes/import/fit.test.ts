@@ -42,7 +42,7 @@ test("any size and place comes to the middle of the box, with a margin", () => {
 });
 
 test("a thousand points become at most six hundred, nowhere further off than the tolerance, with even edges", () => {
-  for (const count of [5, 40, 1000, 20_000]) {
+  for (const count of [5, 40, 1000, 5000]) {
     const loop = polar((t) => 0.25 + 0.05 * Math.cos(7 * t) + 0.01 * Math.sin(31 * t), count, 0.5, 0.5);
     const { points, tolerance } = simplified(loop);
     expect(points.length / 2).toBeLessThanOrEqual(MOST_POINTS);

@@ -10,6 +10,8 @@ export type Choice = {
   readonly placed: boolean;
   /** Only its largest part is meant, such as a country's mainland. */
   readonly mainPart: boolean;
+  /** Details up to about this many cells of the grid are better rounded off: coasts have them at any scale. */
+  readonly smoothing: number;
 };
 
 /** A picture made small, without colour. */

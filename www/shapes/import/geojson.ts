@@ -8,6 +8,9 @@ import type { Loop } from "../geometry";
 import { type Choice, type Found, ImportError } from "./found";
 import { shapeFromLoops } from "./loops";
 
+/** The smoothing that coasts begin with, in cells. */
+const COAST = 1;
+
 type Json = { readonly [key: string]: unknown };
 type Ring = readonly (readonly number[])[];
 
@@ -30,7 +33,8 @@ export function readGeoJson(content: Json, mainPart = false): Found {
       (feature as Json)?.type === "Feature" ? ((feature as Json).geometry as Json | null) : (feature as Json);
     const name = nameOf(feature as Json, index);
     const polygons = polygonsOf(bare, name);
-    if (polygons.length > 0) choices.push(shapeFromLoops(name, projected(polygons.flat(), name), mainPart));
+    if (polygons.length > 0)
+      choices.push(shapeFromLoops(name, projected(polygons.flat(), name), { mainPart, smoothing: COAST }));
   });
   if (choices.length === 0) {
     throw new ImportError("The GeoJSON has no polygons, only points or lines; choose a file with areas.");

@@ -11,7 +11,11 @@ const CLEARANCE = 2 / 32;
  * A loop encloses what it winds around; one inside another is a hole.
  * Throws when a loop has fewer than three points or nothing encloses an area.
  */
-export function shapeFromLoops(name: string, loops: Shape, mainPart = false): Choice {
+export function shapeFromLoops(
+  name: string,
+  loops: Shape,
+  { mainPart = false, smoothing = 0 }: Partial<Pick<Choice, "mainPart" | "smoothing">> = {},
+): Choice {
   loops.forEach((loop, i) => {
     if (loop.length < 6) {
       throw new ImportError(
@@ -22,7 +26,7 @@ export function shapeFromLoops(name: string, loops: Shape, mainPart = false): Ch
   const outlines = loops.map((loop) => united([{ loops: [loop], rule: "nonzero" }]));
   const shape = loops.length === 1 ? outlines[0] : united([{ loops: outlines.flat(), rule: "evenodd" }]);
   if (shape.length === 0) throw new ImportError(`The points of ${name} enclose no area.`);
-  return { name, loops: shape, placed: liesInBox(loops), mainPart };
+  return { name, loops: shape, placed: liesInBox(loops), mainPart, smoothing };
 }
 
 export function liesInBox(shape: Shape): boolean {

@@ -222,7 +222,13 @@ function choices(reader: Reader): Found {
     );
   }
   if (bodies.length < figures.length) notes.add("Open lines are left out: they enclose nothing.");
-  const choice = (name: string, loops: Shape): Choice => ({ name, loops, placed: false, mainPart: false });
+  const choice = (name: string, loops: Shape): Choice => ({
+    name,
+    loops,
+    placed: false,
+    mainPart: false,
+    smoothing: 0,
+  });
   const all = choice("Everything together", united(bodies.map(({ figure, loops }) => ({ loops, rule: figure.rule }))));
   if (all.loops.length === 0) throw new ImportError("The paths of the drawing enclose no area.");
   const single =
@@ -248,6 +254,7 @@ function ownChoices(figures: readonly Figure[]): Found {
       loops: united([{ loops: areas[i], rule: figure.rule }]),
       placed: true,
       mainPart: false,
+      smoothing: 0,
     }),
   );
   const some = found.filter(({ loops }) => loops.length > 0);

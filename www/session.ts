@@ -158,9 +158,10 @@ export class Session {
 
   /** Shows a saved match as it was; the shapes before it are one undo away. */
   restore({ reference, template, settings, match }: MatchRecord): void {
-    this.cancel();
     this.settings.value = settings;
     this.commit(pairFrom(reference, template, null));
+    // Nothing is to be computed, not even where the match follows the hand.
+    this.cancel();
     if (!match) return;
     this.energies.value = [];
     this.morph.value = 1;

@@ -161,6 +161,26 @@ test("everything as JSON loads to the same state", async ({ page, context }) => 
   expect(seen.errors).toEqual([]);
 });
 
+test("a saved match stays as it is where the match follows the hand", async ({ page }) => {
+  await page.goto(PLAIN);
+  await match(page);
+  const shown = await numbers(page);
+  const saved = await save(page, "Everything (JSON)");
+  await page.goto("about:blank");
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  const live = page.getByRole("switch", { name: "Live" });
+  await live.click();
+  await finished(page);
+  await choose(page, "Reference", saved);
+  await button(page, "Open everything").click();
+  await finished(page);
+  expect(await numbers(page)).toEqual(shown);
+  // A run that had been started would have ended within this time.
+  await page.waitForTimeout(1500);
+  expect(await numbers(page)).toEqual(shown);
+  await expect(live).toBeChecked();
+});
+
 async function numbers(page: Page): Promise<number[]> {
   const names = ["level", "total", "mismatch-max", "mismatch-mean", "least-determinant"];
   return Promise.all(names.map((name) => value(page, name)));

@@ -23,7 +23,8 @@ fn main() {
         }
         times.sort_by(f64::total_cmp);
         let median = times[times.len() / 2];
-        let share = if kernel.cells > 1 { format!("{:9.1}", median * 1e6 / kernel.cells as f64) } else { String::new() };
+        let share =
+            if kernel.cells > 1 { format!("{:9.1}", median * 1e6 / kernel.cells as f64) } else { String::new() };
         println!("{:42} {:10.3} {:10.3} {:10.3}   {share}", kernel.name, times[0], median, times[times.len() - 1]);
     }
 }

@@ -11,7 +11,7 @@ import { join } from "node:path";
 import { chromiumFlags, ensureChromium } from "./lib/chromium.mjs";
 import { main, Obstacle, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
-import { buildWasm } from "./wasm.mjs";
+import { buildBenchWasm } from "./wasm.mjs";
 
 const PAGE = "benches/page/index.html";
 const PATIENCE_MINUTES = 15;
@@ -20,7 +20,7 @@ await main(async () => {
   checkNode();
   await ensurePackages();
   if (!existsSync(join(root, PAGE))) throw new Obstacle(`There is no ${PAGE}: restore it from the repository.`);
-  await buildWasm();
+  await buildBenchWasm();
   const executablePath = await ensureChromium();
   const { createServer } = await import("vite");
   const { chromium } = await import("@playwright/test");

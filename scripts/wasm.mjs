@@ -22,15 +22,28 @@ const FEATURES = [
   "--enable-simd",
 ];
 
-/** Builds what has changed; with nothing changed it takes a fraction of a second. */
+/** Builds the solver for the page; with nothing changed it takes a fraction of a second. */
 export async function buildWasm() {
+  await packageWasm("thinshell", "thinshell", join(root, "www", "wasm"));
+}
+
+/** Builds the kernels of `npm run bench`, a module of their own. */
+export async function buildBenchWasm() {
+  await packageWasm("thinshell-bench", "bench", join(root, "target", "bench-wasm"));
+}
+
+/**
+ * Compiles a crate of the workspace and packages it as `{name}.js`, `{name}.d.ts` and `{name}_bg.wasm`.
+ * @param {string} crate @param {string} name @param {string} out
+ */
+async function packageWasm(crate, name, out) {
   await ensureRust();
   const bindgen = await ensureBindgen();
-  await must("cargo", ["build", "--release", "--locked", "--target", "wasm32-unknown-unknown", "--lib"]);
+  const wanted = ["--target", "wasm32-unknown-unknown", "--lib", "--package", crate];
+  await must("cargo", ["build", "--release", "--locked", ...wanted]);
 
   const target = resolve(root, process.env.CARGO_TARGET_DIR ?? "target");
-  const compiled = join(target, "wasm32-unknown-unknown", "release", "thinshell.wasm");
-  const out = join(root, "www", "wasm");
+  const compiled = join(target, "wasm32-unknown-unknown", "release", `${crate.replace("-", "_")}.wasm`);
   const stamp = join(out, ".stamp");
   const key = createHash("sha256")
     .update(readFileSync(compiled))
@@ -40,20 +53,20 @@ export async function buildWasm() {
   if (existsSync(stamp) && readFileSync(stamp, "utf8") === key) return;
 
   heading("wasm-bindgen and wasm-opt");
-  // Made beside the old files and moved over them, so that whoever reads www/wasm never sees half a package.
+  // Made beside the old files and moved over them, so that whoever reads them never sees half a package.
   const fresh = join(root, "target", `wasm-package-${process.pid}`);
-  await must(bindgen, ["--target", "web", "--out-dir", fresh, "--out-name", "thinshell", compiled]);
-  const module = join(fresh, "thinshell_bg.wasm");
+  await must(bindgen, ["--target", "web", "--out-dir", fresh, "--out-name", name, compiled]);
+  const module = join(fresh, `${name}_bg.wasm`);
   const before = readFileSync(module).length;
   const optimizer = join(root, "node_modules", "binaryen", "bin", "wasm-opt");
   await must(process.execPath, [optimizer, "-O3", ...FEATURES, module, "-o", module]);
   console.log(
-    `thinshell_bg.wasm: ${kilobytes(before)} from wasm-bindgen, ${kilobytes(readFileSync(module).length)} after wasm-opt`,
+    `${name}_bg.wasm: ${kilobytes(before)} from wasm-bindgen, ${kilobytes(readFileSync(module).length)} after wasm-opt`,
   );
 
   mkdirSync(out, { recursive: true });
   rmSync(stamp, { force: true });
-  for (const name of readdirSync(fresh)) renameSync(join(fresh, name), join(out, name));
+  for (const file of readdirSync(fresh)) renameSync(join(fresh, file), join(out, file));
   rmSync(fresh, { recursive: true });
   writeFileSync(stamp, key);
 }

@@ -162,7 +162,8 @@ mod tests {
 
     #[test]
     fn a_setting_out_of_range_is_named_with_its_range() {
-        let broken: [(&str, fn(&mut Settings)); 6] = [
+        type Spoil = fn(&mut Settings);
+        let broken: [(&str, Spoil); 6] = [
             ("penalty", |s| s.penalty = -1.0),
             ("thickness", |s| s.thickness = f64::NAN),
             ("membrane", |s| s.membrane = f64::INFINITY),

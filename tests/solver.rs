@@ -145,7 +145,8 @@ fn asymmetry(grid: Grid<2>, straight: &[f64], mirror: &[f64], swap: &[f64]) -> f
 
 fn symmetric_triple() -> [[SignedDistance<2>; 2]; 3] {
     let (reference, template) = (leaf(CENTRE, 0.2, 0.1, 0.2), leaf([0.53, 0.48], 0.22, 0.2, 0.5));
-    let images: [fn(&[DVec2]) -> Vec<DVec2>; 3] = [|curve| curve.to_vec(), mirrored, swapped];
+    type Image = fn(&[DVec2]) -> Vec<DVec2>;
+    let images: [Image; 3] = [|curve| curve.to_vec(), mirrored, swapped];
     images.map(|image| [distance(5, image(&reference)), distance(5, image(&template))])
 }
 
@@ -184,7 +185,8 @@ fn a_circle_is_scaled_onto_a_larger_circle() {
     let (radius, ratio) = (0.15, 1.6);
     let (reference, template) = (distance(6, circle(CENTRE, radius)), distance(6, circle(CENTRE, ratio * radius)));
     for minimizer in [MinimizerKind::Newton, MinimizerKind::Ncg] {
-        let settings = Settings { finest: 6, minimizer, ..Settings::default() };
+        // Every turn of the circle matches as well; from the identity, none is taken.
+        let settings = Settings { finest: 6, minimizer, alignment: Alignment::None, ..Settings::default() };
         let result = register(&reference, &template, settings);
         assert!(result.report.mismatch_max < 0.1, "{minimizer:?}: {}", result.report.mismatch_max);
         assert!((result.report.stretch_mean - ratio).abs() < 0.01, "{minimizer:?}: {}", result.report.stretch_mean);

@@ -35,10 +35,7 @@ const CENTRE: [f64; 2] = [0.5, 0.5];
 pub fn pairs() -> [(&'static str, [Vec<DVec2>; 2]); 3] {
     [
         ("circle → ellipse", [shapes::circle(CENTRE, 0.15), shapes::ellipse(CENTRE, 0.45, 0.25)]),
-        (
-            "star → rotated star",
-            [shapes::star(CENTRE, 0.25, 5, 0.25, 0.0), shapes::star(CENTRE, 0.25, 5, 0.25, 0.35)],
-        ),
+        ("star → rotated star", [shapes::star(CENTRE, 0.25, 5, 0.25, 0.0), shapes::star(CENTRE, 0.25, 5, 0.25, 0.35)]),
         ("leaf → leaf", [shapes::leaf(CENTRE, 0.2, 0.12, 0.0), shapes::leaf(CENTRE, 0.2, 0.22, 0.3)]),
     ]
 }

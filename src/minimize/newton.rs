@@ -2,6 +2,7 @@
 
 use super::{Decrease, Minimizer, Progress, Stop, inner};
 use crate::assemble::{Assembler, Evaluation};
+use crate::energy::Energies;
 use crate::grid::Grid;
 use crate::multigrid::Multigrid;
 
@@ -18,20 +19,24 @@ const MAX_HALVINGS: usize = 6;
 /// A step leaves at least this share of the least determinant: next to a fold the quadratic model is worthless, and
 /// a weak volume energy would not keep the iterates away from there.
 const DETERMINANT_KEPT: f64 = 0.2;
+/// Relative decrease of the energy below which the next iteration keeps the curvature there is: assembling it anew costs
+/// more than everything else in an iteration and would change the direction by no more than that.
+const SETTLED: f64 = 1e-3;
 /// Levenberg shifts, in units of the mean diagonal entry; none at first.
 const FIRST_SHIFT: f32 = 1e-3;
 /// One nearly folded cell can be this much stiffer than the mean; only its own curvature makes its step short enough.
 const LAST_SHIFT: f32 = 1e12;
 
-/// Solves (H + s·I) d = −∇E, H the positive semi-definite curvature, and goes along d as far as the energy falls.
+/// Solves (H + s·I) d = ∇E, H the positive semi-definite curvature, and goes against d as far as the energy falls.
 pub struct Newton<const D: usize> {
     multigrid: Multigrid<D>,
     displacement: Vec<f64>,
     trial: Vec<f64>,
-    /// −∇E.
-    descent: Vec<f64>,
+    gradient: Vec<f64>,
     direction: Vec<f64>,
     shift: f32,
+    /// The curvature of an iteration before still serves.
+    settled: bool,
     decrease: Decrease,
     progress: Option<Progress>,
 }
@@ -44,9 +49,10 @@ impl<const D: usize> Newton<D> {
             multigrid: Multigrid::new(grid),
             displacement,
             trial: zero.clone(),
-            descent: zero.clone(),
+            gradient: zero.clone(),
             direction: zero,
             shift: 0.0,
+            settled: false,
             decrease: Decrease::new(WINDOW, tolerance),
             progress: None,
         }
@@ -57,6 +63,7 @@ impl<const D: usize> Newton<D> {
         assert_eq!(displacement.len(), self.displacement.len());
         self.displacement = displacement;
         self.shift = 0.0;
+        self.settled = false;
         self.decrease.restart();
         self.progress = None;
     }
@@ -86,30 +93,45 @@ impl<const D: usize> Newton<D> {
         (sum / (nodes * D) as f64) as f32
     }
 
-    /// Halves the step until the energy falls enough; none if it does not.
-    async fn backtrack(
+    /// Solves for the direction and goes along it: the whole step, or halved until the energy falls enough. None, and
+    /// nothing has moved, if it does not. `gradient` holds ∇E.
+    async fn advance(
         &mut self,
         assembler: &mut impl Assembler<D>,
         before: Evaluation,
-    ) -> (usize, Option<(f64, Evaluation)>) {
-        let slope = -inner(&self.descent, &self.direction);
-        if !(slope < 0.0) {
-            return (0, None);
+        progress: &mut Progress,
+    ) -> Option<Step> {
+        progress.evaluations += 1;
+        self.multigrid.solve(&self.gradient, FORCING, MAX_LINEAR_ITERATIONS, &mut self.direction);
+        // `direction` solves H d = +∇E: the way down is against it.
+        let slope = -inner(&self.gradient, &self.direction);
+        if slope >= 0.0 || slope.is_nan() {
+            return None;
         }
         let mut step = 1.0;
-        for halvings in 0..=MAX_HALVINGS {
+        for _ in 0..=MAX_HALVINGS {
             for (t, (u, d)) in self.trial.iter_mut().zip(self.displacement.iter().zip(&self.direction)) {
-                *t = u + step * d;
+                *t = u - step * d;
             }
             let evaluation = assembler.energy(&self.trial).await;
+            progress.evaluations += 1;
             let enough = evaluation.total() <= before.total() + ARMIJO * step * slope;
             if enough && evaluation.least_determinant >= DETERMINANT_KEPT * before.least_determinant {
-                return (halvings + 1, Some((step, evaluation)));
+                std::mem::swap(&mut self.displacement, &mut self.trial);
+                progress.evaluation = evaluation;
+                return Some(Step { whole: step == 1.0, decrease: before.total() - evaluation.total() });
             }
             step *= 0.5;
         }
-        (MAX_HALVINGS + 1, None)
+        None
     }
+}
+
+/// A step that was taken.
+struct Step {
+    whole: bool,
+    /// Of the energy.
+    decrease: f64,
 }
 
 impl<const D: usize> Minimizer<D> for Newton<D> {
@@ -119,38 +141,46 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
         {
             return progress;
         }
-        let operator = self.multigrid.operator_mut();
-        let evaluation = assembler.curvature(&self.displacement, &mut self.descent, operator).await;
-        self.descent.iter_mut().for_each(|g| *g = -*g);
-        let mut progress = self.progress.unwrap_or(Progress { evaluation, iterations: 0, evaluations: 0, stop: None });
-        progress.evaluations += 1;
+        let mut progress = self.progress.unwrap_or(Progress {
+            evaluation: Evaluation { energies: Energies::default(), least_determinant: 0.0 },
+            iterations: 0,
+            evaluations: 0,
+            stop: None,
+        });
         progress.iterations += 1;
-
-        let mean = self.mean_diagonal();
-        let mut added = 0.0;
-        loop {
-            let wanted = self.shift * mean;
-            self.add_to_diagonal(wanted - added);
-            added = wanted;
-            self.multigrid.prepare();
-            self.multigrid.solve(&self.descent, FORCING, MAX_LINEAR_ITERATIONS, &mut self.direction);
-            let (evaluations, moved) = self.backtrack(assembler, evaluation).await;
-            progress.evaluations += evaluations;
-            if let Some((step, evaluation)) = moved {
-                std::mem::swap(&mut self.displacement, &mut self.trial);
-                progress.evaluation = evaluation;
-                if step == 1.0 {
+        let mut moved = None;
+        if self.settled {
+            let before = assembler.gradient(&self.displacement, &mut self.gradient).await;
+            moved = self.advance(assembler, before, &mut progress).await;
+        }
+        if moved.is_none() {
+            let operator = self.multigrid.operator_mut();
+            let before = assembler.curvature(&self.displacement, &mut self.gradient, operator).await;
+            progress.evaluation = before;
+            let mean = self.mean_diagonal();
+            let mut added = 0.0;
+            while moved.is_none() && self.shift <= LAST_SHIFT {
+                let wanted = self.shift * mean;
+                self.add_to_diagonal(wanted - added);
+                added = wanted;
+                self.multigrid.prepare();
+                moved = self.advance(assembler, before, &mut progress).await;
+                if moved.is_none() {
+                    self.shift = (10.0 * self.shift).max(FIRST_SHIFT);
+                }
+            }
+        }
+        match moved {
+            None => progress.stop = Some(Stop::NoDescent),
+            Some(Step { whole, decrease }) => {
+                let total = progress.evaluation.total();
+                self.settled = whole && self.shift == 0.0 && decrease <= SETTLED * total;
+                if whole {
                     self.shift = if self.shift > FIRST_SHIFT { 0.1 * self.shift } else { 0.0 };
                 }
-                if self.decrease.is_small(evaluation.total()) {
+                if self.decrease.is_small(total) {
                     progress.stop = Some(Stop::Converged);
                 }
-                break;
-            }
-            self.shift = (10.0 * self.shift).max(FIRST_SHIFT);
-            if self.shift > LAST_SHIFT {
-                progress.stop = Some(Stop::NoDescent);
-                break;
             }
         }
         if progress.stop.is_none() && progress.iterations >= MAX_ITERATIONS {

@@ -17,6 +17,7 @@ const ACCEPTED = ".svg,.png,.jpg,.jpeg,.webp,.gif,.bmp,.json,.geojson,.csv,.txt,
 /** Choose, look, adjust, take: nothing of the page changes before the last step, and one undo takes it back. */
 export function ImportDialog({ session }: { session: Session }) {
   const dialog = useRef<HTMLDialogElement>(null);
+  const primary = useRef<HTMLButtonElement>(null);
   const draft = useSignal<Draft | null>(null);
   const saved = useSignal<MatchRecord | null>(null);
   const problem = useSignal<string | null>(null);
@@ -65,6 +66,12 @@ export function ImportDialog({ session }: { session: Session }) {
       });
   });
 
+  // What was pressed in the gallery is gone with it: go on at the next step.
+  const source = draft.value?.source;
+  useEffect(() => {
+    if (source !== undefined && document.activeElement === document.body) primary.current?.focus();
+  }, [source]);
+
   const side = importing.value?.side ?? "reference";
   const read = (input: Blob | string | null) => {
     if (input) importing.value = { side, input };
@@ -106,6 +113,7 @@ export function ImportDialog({ session }: { session: Session }) {
             {[side, ...SIDES.filter((other) => other !== side)].map((target) => (
               <button
                 key={target}
+                ref={target === side ? primary : undefined}
                 type="button"
                 class={target === side ? "primary" : undefined}
                 disabled={!result.prepared}

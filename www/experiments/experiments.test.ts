@@ -12,7 +12,7 @@ import { order } from "./measure";
 import { descend } from "./metric";
 import { matchPolygons, readPolygons } from "./polygons";
 import { rotate } from "./rotation";
-import { SHELL, strain, VOLUME } from "./strain";
+import { SHELL, strain, VOLUME, VOLUME_CORNERS } from "./strain";
 
 initSync({ module: readFileSync(new URL("../wasm/thinshell_bg.wasm", import.meta.url)) });
 
@@ -36,6 +36,14 @@ describe("Table 1", () => {
     const mean = deviations.reduce((sum, value) => sum + value, 0) / deviations.length;
     for (const deviation of deviations) expect(Math.abs(deviation / mean - 1)).toBeLessThan(0.2);
     expect(mean).toBeGreaterThan(0.5);
+  });
+
+  it("volume energy with corners reaches the ellipse, as unevenly on every level", { timeout: MINUTE }, async () => {
+    for (const { mean, deviation, mismatch } of await strain(context, VOLUME_CORNERS, 7)) {
+      expect(Math.abs(mean / 2.38 - 1)).toBeLessThan(0.02);
+      expect(mismatch).toBeLessThan(0.5);
+      expect(deviation).toBeGreaterThan(0.5);
+    }
   });
 });
 

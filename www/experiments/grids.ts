@@ -2,7 +2,7 @@
 
 import { cells, type Experiment, small, table } from "./experiment";
 import { ringStretch } from "./measure";
-import { circleToEllipse, RADIUS, SHELL, VOLUME } from "./strain";
+import { circleToEllipse, RADIUS, SHELL, VOLUME, VOLUME_CORNERS } from "./strain";
 import { panels } from "./svg";
 
 export const gridsExperiment: Experiment = {
@@ -11,13 +11,13 @@ export const gridsExperiment: Experiment = {
   paper:
     "The circle's match with the ellipse by volume energy alone, and by the thin shell. Volume energy pulls the grid out near the tips and leaves the rest; the shell spreads the stretch evenly along the curve.",
   setup:
-    "The shapes and settings of Table 1 on 65² nodes, and volume energy once more with the vertex share θ = 0.25 instead of 0. Every second grid line is drawn; ticks join points of the circle, equally spaced, with their partners.",
+    "The shapes and settings of Table 1 on 65² nodes, volume energy with the vertex share θ = 0 and 0.25. Every second grid line is drawn; ticks join points of the circle, equally spaced, with their partners.",
   hasShortForm: false,
   async run(context) {
     const level = 6;
     const variants = [
       { title: "Volume only, θ = 0", settings: VOLUME },
-      { title: "Volume only, θ = 0.25", settings: { ...VOLUME, vertexShare: 0.25 } },
+      { title: "Volume only, θ = 0.25", settings: VOLUME_CORNERS },
       { title: "Thin shell", settings: SHELL },
     ];
     const ends = [];

@@ -10,7 +10,10 @@ export const RADIUS = 0.12;
 /** Half axes: the perimeter is 2.38 times the circle's, the ratio of the paper's shapes. */
 export const HALF_AXES = [0.4106, 0.12] as const;
 
-export const SHELL: Partial<Settings> = { bending: 0, bandwidth: 0.04 };
+/** Table 1 compares minima, so these are to be reached more closely than a picture needs. */
+const TOLERANCE = 1e-7;
+
+export const SHELL: Partial<Settings> = { bending: 0, bandwidth: 0.04, tolerance: TOLERANCE };
 /** Eq. (9) without shell terms; corners are refused when they fold, but carry no energy. */
 export const VOLUME: Partial<Settings> = {
   membrane: 0,
@@ -21,7 +24,11 @@ export const VOLUME: Partial<Settings> = {
   halving: false,
   vertexShare: 0,
   bandwidth: 0.04,
+  tolerance: TOLERANCE,
 };
+
+/** The same with corners that carry energy, so that the search does not run against folds; it starts on 9². */
+export const VOLUME_CORNERS: Partial<Settings> = { ...VOLUME, vertexShare: 0.25, coarsest: 3 };
 
 /** Levels 33², 65², …; the cascade starts at 17². */
 const FIRST = 5;
@@ -42,20 +49,28 @@ export function circleToEllipse(context: Context, settings: Partial<Settings>, f
     reference: circle(RADIUS),
     template: ellipse(...HALF_AXES),
     settings: { coarsest: 4, finest, ...settings },
-    everyLevel: true,
   });
 }
 
-export async function strain(context: Context, settings: Partial<Settings>, finest: number): Promise<Row[]> {
-  const { levels } = await circleToEllipse(context, settings, finest);
-  return levels
-    .filter(({ status }) => status.level >= FIRST)
-    .map(({ status, deformation }) => ({
-      level: status.level,
-      ...ringStretch(status.level, deformation, RADIUS),
+/** A cascade of its own for every level: only its last level is solved to the tolerance. */
+export async function strain(
+  context: Context,
+  settings: Partial<Settings>,
+  finest: number,
+  progress: (level: number) => void | Promise<void> = () => {},
+): Promise<Row[]> {
+  const rows: Row[] = [];
+  for (let level = FIRST; level <= finest; level += 1) {
+    await progress(level);
+    const { status, deformation } = (await circleToEllipse(context, settings, level)).end;
+    rows.push({
+      level,
+      ...ringStretch(level, deformation, RADIUS),
       mismatch: status.mismatch.max,
       leastDeterminant: status.leastDeterminant,
-    }));
+    });
+  }
+  return rows;
 }
 
 /** The deviation of a map that stretches every offset curve of the circle evenly onto one of the ellipse. */
@@ -68,14 +83,21 @@ export const strainExperiment: Experiment = {
   title: "Table 1: the stretch evens out under refinement",
   paper:
     "A circle is matched with an ellipse whose perimeter is 2.38 times as long, on 33² to 513² nodes. With the thin shell the standard deviation of the tangential strain halves with every refinement: 0.1758, 0.0875, 0.0440, 0.0234, 0.0143. With volume energy alone, eq. (9), it stays near 0.8 whatever the grid.",
-  setup: `Circle of radius ${RADIUS}, ellipse with half axes ${HALF_AXES.join(" and ")}, so that the perimeters' ratio is ${(ellipsePerimeter(...HALF_AXES) / (2 * Math.PI * RADIUS)).toFixed(3)}; both centred in the unit box. Shell: α_bend = 0, σ = 0.04, otherwise defaults. Volume only: ξ = 1, ζ = 10⁻³, 1/ε = 10⁵ on all levels, α_mem = α_bend = 0, θ = 0. One cascade from 17² upwards; each row is the state when its level ends. Measured: the standard deviation, by area, of l = |Dφ t| over all Gauss points with |d₁| < h, where t is the tangent of the offset circle through the point.`,
+  setup: `Circle of radius ${RADIUS}, ellipse with half axes ${HALF_AXES.join(" and ")}, so that the perimeters' ratio is ${(ellipsePerimeter(...HALF_AXES) / (2 * Math.PI * RADIUS)).toFixed(3)}; both centred in the unit box. Shell: α_bend = 0, σ = 0.04, otherwise defaults. Volume only: ξ = 1, ζ = 10⁻³, 1/ε = 10⁵ on all levels, α_mem = α_bend = 0, once with θ = 0 and once with θ = 0.25. Tolerance 10⁻⁷. Every row is the end of a cascade of its own, from 17² upwards, from 9² for θ = 0.25. Measured: the standard deviation, by area, of l = |Dφ t| over all Gauss points with |d₁| < h, where t is the tangent of the offset circle through the point.`,
   hasShortForm: true,
   async run(context, size) {
     const finest = size === "full" ? 9 : 7;
-    await context.progress(0, "thin shell");
-    const shell = await strain(context, SHELL, finest);
-    await context.progress(0.5, "volume energy alone");
-    const volume = await strain(context, VOLUME, finest);
+    const columns = [
+      { name: "thin shell", settings: SHELL },
+      { name: "volume energy alone, θ = 0", settings: VOLUME },
+      { name: "volume energy alone, θ = 0.25", settings: VOLUME_CORNERS },
+    ];
+    const results: Row[][] = [];
+    for (const [i, { name, settings }] of columns.entries()) {
+      const progress = (level: number) => context.progress(i / columns.length, `${name}, ${nodes(level)}`);
+      results.push(await strain(context, settings, finest, progress));
+    }
+    const [shell, volume, corners] = results;
     const orders = shell.map((row, i) => (i === 0 ? "" : order(shell[i - 1].deviation, row.deviation).toFixed(2)));
     const rows = shell.map((row, i) => [
       nodes(row.level),
@@ -86,7 +108,8 @@ export const strainExperiment: Experiment = {
       cells(row.mismatch),
       volume[i].deviation.toFixed(4),
       cells(volume[i].mismatch),
-      small(volume[i].leastDeterminant),
+      corners[i].deviation.toFixed(4),
+      cells(corners[i].mismatch),
     ]);
     const curve = (name: string, values: readonly number[]) => ({
       name,
@@ -94,6 +117,7 @@ export const strainExperiment: Experiment = {
     });
     const last = shell[shell.length - 1];
     const lastVolume = volume[volume.length - 1];
+    const lastCorners = corners[corners.length - 1];
     return [
       table(
         [
@@ -103,9 +127,10 @@ export const strainExperiment: Experiment = {
           "law",
           "paper, shell",
           "shell: max mismatch, cells",
-          "volume only: deviation",
-          "volume only: max mismatch, cells",
-          "volume only: least det Dφ",
+          "volume, θ = 0: deviation",
+          "volume, θ = 0: max mismatch, cells",
+          "volume, θ = 0.25: deviation",
+          "volume, θ = 0.25: max mismatch, cells",
         ],
         rows,
       ),
@@ -131,8 +156,12 @@ export const strainExperiment: Experiment = {
               ),
               curve("paper, thin shell", PAPER_SHELL.slice(0, shell.length)),
               curve(
-                "volume only",
+                "volume, θ = 0",
                 volume.map((row) => row.deviation),
+              ),
+              curve(
+                "volume, θ = 0.25",
+                corners.map((row) => row.deviation),
               ),
             ],
           },
@@ -145,7 +174,7 @@ export const strainExperiment: Experiment = {
         `What the paper leaves open: the size of the circle, the ellipse's second axis, and over which points the deviation is taken. The law fixes the first column only up to r; the paper's first three values would fit r ≈ 0.16, its last one no single r. The decay, not the factor, is what can be compared.`,
       ),
       text(
-        `Volume only: the deviation does not fall, the mean stretch is ${lastVolume.mean.toFixed(2)} where ${last.mean.toFixed(2)} is needed, and the search ends ${cells(lastVolume.mismatch)} cells off the ellipse's tips with cells that are all but folded: with θ = 0 nothing but refusal keeps the corners open, and the search comes to rest against it. These values describe where the search stops rather than a minimum.`,
+        `Volume only: the deviation does not fall with either θ. With θ = 0, the volume term as the paper integrates it, nothing but refusal keeps the corners of the cells open. The search comes to rest against folds (least det Dφ ${small(lastVolume.leastDeterminant)}), ${cells(lastVolume.mismatch)} cells off the ellipse's tips and with a mean stretch of ${lastVolume.mean.toFixed(2)} where 2.38 is needed: these values tell where the search stops rather than where a minimum lies. With θ = 0.25 it goes through (mean stretch ${lastCorners.mean.toFixed(2)}, least det Dφ ${small(lastCorners.leastDeterminant)}), and the deviations scatter about the paper's value from level to level: without shell energy hardly anything determines how points slide along the curve.`,
       ),
     ];
   },

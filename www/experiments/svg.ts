@@ -88,14 +88,20 @@ function polyline(points: readonly (readonly [number, number])[]): string {
   let [x, y] = [0, 0];
   for (const [i, point] of points.entries()) {
     const [nextX, nextY] = [Math.round(10 * point[0]), Math.round(10 * point[1])];
-    path += `${i === 0 ? "M" : i === 1 ? "l" : " "}${(nextX - x) / 10} ${(nextY - y) / 10}`;
+    path += (i === 0 ? "M" : i === 1 ? "l" : "") + tenths(nextX - x, i > 1) + tenths(nextY - y, true);
     [x, y] = [nextX, nextY];
   }
   return path;
 }
 
+/** A count of tenths as a number, as short as SVG allows; `after` another number it brings its own separator. */
+function tenths(count: number, after: boolean): string {
+  const digits = String(count / 10).replace(/^(-?)0\./, "$1.");
+  return after && !digits.startsWith("-") ? ` ${digits}` : digits;
+}
+
 /** At most this many points a loop: more cannot be told apart at a panel's size. */
-const OUTLINE_POINTS = 240;
+const OUTLINE_POINTS = 200;
 
 function outline(loop: Float64Array, place: Place): string {
   const count = loop.length / 2;

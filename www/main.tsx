@@ -10,6 +10,7 @@ import { SettingsPanel } from "./controls/SettingsPanel";
 import { SketchPanel } from "./controls/SketchPanel";
 import { Progress, StatusPanel } from "./controls/StatusPanel";
 import { Problem, Toolbar } from "./controls/Toolbar";
+import { ViewPicker } from "./controls/ViewPicker";
 import { Session } from "./session";
 import { open, readStorage } from "./state";
 import "./style.css";
@@ -28,7 +29,10 @@ function App({ session }: { session: Session }) {
       </div>
       <section class="outcome" aria-labelledby="outcome-name">
         <header>
-          <h2 id="outcome-name">Match</h2>
+          <h2 id="outcome-name" class="unseen">
+            Match
+          </h2>
+          <ViewPicker session={session} />
           <Morph session={session} />
           <Save session={session} />
         </header>

@@ -56,7 +56,10 @@ export async function clear(page: Page): Promise<void> {
 export async function paint(canvas: Locator): Promise<{ painted: number; colours: number }> {
   return canvas.evaluate((element) => {
     const target = element as HTMLCanvasElement;
-    const image = target.getContext("2d")?.getImageData(0, 0, target.width, target.height);
+    // A copy: reading a canvas itself more than once makes the browser warn, and draw it in another way from then on.
+    const copy = new OffscreenCanvas(target.width, target.height).getContext("2d", { willReadFrequently: true });
+    copy?.drawImage(target, 0, 0);
+    const image = copy?.getImageData(0, 0, target.width, target.height);
     if (!image) throw new Error("no 2D canvas");
     const words = new Uint32Array(image.data.buffer);
     const seen = new Set(words);

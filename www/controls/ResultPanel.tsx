@@ -1,44 +1,49 @@
-import { effect, useComputed } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useComputed } from "@preact/signals";
+import { useCallback } from "preact/hooks";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
-import { Surface } from "../view/canvas";
-import { drawResult } from "../view/result";
+import type { ResultScene } from "../view/result";
+import { Legend, takePicture } from "./Legend";
+import { MatchCanvas } from "./MatchCanvas";
 import { decimals } from "./numbers";
+import { Readout } from "./Readout";
+import { lazy, view } from "./viewing";
 
-/** φ leaves the box a little under the natural boundary condition; this much around it is shown. */
-const MARGIN = 0.05;
-
-/** The deformed grid and the matched curve. */
+/** The match in the chosen view, with its legend and the numbers at the place pointed at. */
 export function ResultPanel({ session }: { session: Session }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-
-  useEffect(() => {
-    if (!canvas.current) return;
-    const surface = new Surface(canvas.current, MARGIN, (context, frame, colours) => {
-      drawResult(context, frame, colours, {
-        ...session.shapes.value,
-        match: matchOf(session),
-        morph: session.morph.value,
-        bandwidth: bandwidth(session.settings.value),
-      });
-      session.drawn(session.match.value);
-    });
-    const stop = effect(() => {
-      session.shapes.value;
-      session.match.value;
-      session.morph.value;
-      session.settings.value;
-      surface.invalidate();
-    });
-    return () => {
-      stop();
-      surface.dispose();
-    };
-  }, [session]);
-
+  const match = useComputed(() => matchOf(session));
+  const scene = useComputed<ResultScene>(() => ({
+    ...session.shapes.value,
+    match: match.value,
+    morph: session.morph.value,
+    bandwidth: bandwidth(session.settings.value),
+  }));
+  const limit = useComputed(() => {
+    const shown = match.value;
+    return (shown && lazy.value?.views.limitOf(view.value, shown, bandwidth(session.settings.value))) || 1;
+  });
   const label = useComputed(() => `Deformed grid and matched curve: ${words(session)}`);
-  return <canvas ref={canvas} role="img" aria-label={label} class="result" />;
+  const drawn = useCallback(() => session.drawn(session.match.value), [session]);
+  const showsPicture = view.value === "image" || view.value === "pullback";
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: dropping is one way more; the legend has a button for it
+    <div
+      class="shown"
+      onDragOver={(event) => showsPicture && event.preventDefault()}
+      onDrop={(event) => {
+        const [file] = event.dataTransfer?.files ?? [];
+        if (!showsPicture || !file) return;
+        // The rest of the page takes files for shapes.
+        event.preventDefault();
+        event.stopPropagation();
+        void takePicture(session, file);
+      }}
+    >
+      <MatchCanvas label={label} scene={scene} limit={limit} drawn={drawn} />
+      <Legend session={session} match={match} limit={limit} />
+      <Readout match={match} />
+    </div>
+  );
 }
 
 function matchOf(session: Session) {

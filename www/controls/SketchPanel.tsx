@@ -5,11 +5,17 @@ import { finestLevel } from "../settings";
 import { Drawing } from "../shapes/draw";
 import { keyed } from "../shapes/edit";
 import { bounds } from "../shapes/geometry";
+import { nearest } from "../view/along";
 import { Surface } from "../view/canvas";
 import { arcLengthParts } from "../view/curve";
+import { probeAt } from "../view/probe";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
 import { ImportButton } from "./Import";
+import { probe } from "./viewing";
+
+/** Of the pointer to the reference, in CSS pixels, to show the partner of its nearest point. */
+const PROBE_REACH = 24;
 
 const NAMES = { reference: "Reference", template: "Template" };
 
@@ -29,6 +35,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
         pull: hand.pull,
         coloured: colouredLoops(session, side),
         tooClose: tooClose(session, side),
+        mark: markOf(session, side),
       }),
     );
     const hand = new Drawing({
@@ -48,9 +55,11 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
     // Computed, so that this surface rests while only the other shape or the match moves.
     const shape = computed(() => session.shapes.value[side]);
     const coloured = computed(() => colourOf(session, side));
+    const mark = computed(() => markOf(session, side));
     const stop = effect(() => {
       shape.value;
       coloured.value;
+      mark.value;
       session.settings.value;
       surface.invalidate();
     });
@@ -71,6 +80,15 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
     if (!shape) return;
     event.preventDefault();
     session.commitShape(side, shape);
+  };
+
+  const point = (event: PointerEvent) => {
+    const loops = session.match.value?.curves.reference;
+    if (!canvas.current || !loops || event.buttons !== 0) return;
+    const box = canvas.current.getBoundingClientRect();
+    const x = (event.clientX - box.left) / box.width;
+    const y = (box.bottom - event.clientY) / box.height;
+    probe.value = probeAt(loops, [], x, y, PROBE_REACH / box.width);
   };
 
   const empty = session.shapes.value[side].length === 0;
@@ -102,11 +120,26 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
           aria-label={`${NAMES[side]} shape`}
           aria-describedby="keys"
           onKeyDown={press}
+          onPointerMove={side === "reference" ? point : undefined}
+          onPointerLeave={() => {
+            probe.value = null;
+          }}
         />
         {empty && <p class="invitation">Draw a closed curve here</p>}
       </div>
     </section>
   );
+}
+
+/** The place pointed at on the reference, and its partner on the template. */
+function markOf(session: Session, side: Side) {
+  const match = session.match.value;
+  const at = probe.value;
+  if (!match || !at) return null;
+  if (side === "reference") return at;
+  const near = nearest(match.curves.reference, at.x, at.y);
+  const loop = near && match.curves.matched[near.loop];
+  return near && loop ? { x: loop[2 * near.point], y: loop[2 * near.point + 1] } : null;
 }
 
 /** The solver refuses a shape within two cells of the finest grid from the border: show it before it does. */

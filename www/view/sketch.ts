@@ -3,6 +3,7 @@
 import { type Frame, pixelX, pixelY, trace } from "./canvas";
 import { type ColouredLoop, strokeColoured } from "./curve";
 import type { Theme } from "./palette";
+import { drawMark } from "./probe";
 
 type Point = { readonly x: number; readonly y: number };
 
@@ -19,6 +20,8 @@ export type SketchScene = {
   readonly coloured: readonly ColouredLoop[] | null;
   /** The distance from the border that the shape should keep and does not; null when all is well. */
   readonly tooClose: number | null;
+  /** The point whose partner is shown, or that partner. */
+  readonly mark: Point | null;
 };
 
 /** Radius of the grip in CSS pixels; the pointer's reach is at least this. */
@@ -68,6 +71,7 @@ export function drawSketch(context: CanvasRenderingContext2D, frame: Frame, colo
     context.setLineDash([]);
   }
   if (scene.grip) drawGrip(context, frame, colours, scene.grip);
+  if (scene.mark) drawMark(context, frame, colours, scene.mark, own);
   if (scene.pull) {
     context.beginPath();
     context.arc(pixelX(frame, scene.pull.x), pixelY(frame, scene.pull.y), 5.5 * ratio, 0, 2 * Math.PI);

@@ -1,0 +1,125 @@
+import { type ReadonlySignal, useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import type { Session } from "../session";
+import type { Match } from "../view/result";
+import { css, type Scale } from "../view/scales";
+import { lazy, picture, view } from "./viewing";
+
+const BINS = 40;
+
+/** What the colours mean, over the lower edge of the picture. */
+export function Legend({ session, match, limit }: Shown) {
+  const dark = useDark();
+  const painter = lazy.value;
+  const shown = match.value;
+  if (view.value === "grid" || !painter || !shown) return null;
+  if (view.value === "image" || view.value === "pullback") return <PictureChoice session={session} />;
+  const scale = painter.views.scaleOf(view.value, limit.value, dark.value);
+  if (!scale) return null;
+  return (
+    <figure class="legend" aria-label="Legend">
+      {view.value === "stretch" && <Histogram parts={painter.views.histogram(shown, scale, BINS)} scale={scale} />}
+      <ScaleBar scale={scale} />
+    </figure>
+  );
+}
+
+type Shown = {
+  readonly session: Session;
+  readonly match: ReadonlySignal<Match | null>;
+  readonly limit: ReadonlySignal<number>;
+};
+
+function ScaleBar({ scale }: { scale: Scale }) {
+  const stops = Array.from({ length: 17 }, (_, i) => css(scale.colours[Math.round((i / 16) * 255)]));
+  return (
+    <>
+      <div class="bar" style={{ background: `linear-gradient(to right, ${stops.join(", ")})` }} />
+      <ol class="ticks">
+        {scale.ticks.map(({ part, text }) => (
+          <li key={part} style={{ insetInlineStart: `${100 * part}%` }}>
+            {text}
+          </li>
+        ))}
+      </ol>
+      <figcaption>
+        {scale.title}
+        {scale.unit && <span class="unit">{scale.unit}</span>}
+      </figcaption>
+    </>
+  );
+}
+
+/** How much of the curve has which stretch. */
+function Histogram({ parts, scale }: { parts: readonly number[]; scale: Scale }) {
+  const most = Math.max(...parts);
+  return (
+    <svg class="histogram" viewBox={`0 0 ${BINS} 10`} preserveAspectRatio="none" role="img" aria-label={words(parts)}>
+      {parts.map((part, i) => (
+        <rect
+          key={css(scale.colours[Math.round((i / BINS) * 255)])}
+          x={i + 0.08}
+          y={10 - (10 * part) / most}
+          width={0.84}
+          height={(10 * part) / most}
+        />
+      ))}
+    </svg>
+  );
+}
+
+function words(parts: readonly number[]): string {
+  const highest = parts.indexOf(Math.max(...parts));
+  const where = highest < parts.length * 0.4 ? "shortened" : highest < parts.length * 0.6 ? "kept" : "lengthened";
+  return `Histogram of the stretch; the largest share of the curve is ${where}`;
+}
+
+/** Any picture instead of the pattern, chosen or dropped onto the result. */
+function PictureChoice({ session }: { session: Session }) {
+  return (
+    <div class="legend picture">
+      <label>
+        Choose a picture …
+        <input
+          type="file"
+          accept="image/*"
+          onChange={(event) => {
+            const [file] = event.currentTarget.files ?? [];
+            if (file) void takePicture(session, file);
+          }}
+        />
+      </label>
+      <button
+        type="button"
+        class="quiet"
+        onClick={() => {
+          picture.value = lazy.value?.pictures.pattern() ?? null;
+        }}
+      >
+        Test pattern
+      </button>
+    </div>
+  );
+}
+
+/** What cannot be read is reported; the picture before it stays. */
+export async function takePicture(session: Session, file: File): Promise<void> {
+  try {
+    picture.value = (await lazy.value?.pictures.pictureFrom(file)) ?? picture.value;
+  } catch (error) {
+    session.problem.value = error instanceof Error ? error.message : String(error);
+  }
+}
+
+function useDark() {
+  const dark = useSignal(matchMedia("(prefers-color-scheme: dark)").matches);
+  useEffect(() => {
+    const query = matchMedia("(prefers-color-scheme: dark)");
+    const change = () => {
+      dark.value = query.matches;
+    };
+    query.addEventListener("change", change);
+    return () => query.removeEventListener("change", change);
+  }, [dark]);
+  return dark;
+}

@@ -1,0 +1,99 @@
+import { effect, type ReadonlySignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { Surface } from "../view/canvas";
+import { blended } from "../view/curve";
+import { drawMark, localNumbers, probeAt, stepped } from "../view/probe";
+import { drawResult, type ResultScene } from "../view/result";
+import { lazy, picture, probe, view } from "./viewing";
+
+/** φ leaves the box a little under the natural boundary condition; this much around it is shown. */
+const MARGIN = 0.05;
+/** Of a pointer to the curves, in CSS pixels. */
+const REACH = 24;
+
+type Properties = {
+  readonly label: ReadonlySignal<string> | string;
+  readonly scene: ReadonlySignal<ResultScene>;
+  /** Where the view's scale ends; see views.ts. */
+  readonly limit: ReadonlySignal<number>;
+  readonly drawn?: (scene: ResultScene) => void;
+};
+
+/** A match in the chosen view. Pointing at the curve, or walking along it with the arrow keys, probes it. */
+export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const surface = useRef<Surface>(null);
+
+  useEffect(() => {
+    if (!canvas.current) return;
+    const made = new Surface(canvas.current, MARGIN, (context, frame, colours) => {
+      const now = scene.peek();
+      const { match } = now;
+      const painter = lazy.peek();
+      const image = picture.peek();
+      if (view.peek() === "grid" || !match || !painter || !image) drawResult(context, frame, colours, now);
+      else {
+        const { morph, bandwidth } = now;
+        painter.views.drawView(view.peek(), context, frame, colours, {
+          match,
+          morph,
+          bandwidth,
+          limit: limit.peek(),
+          picture: image,
+        });
+      }
+      const numbers = match && probe.peek() && localNumbers(match, probe.peek() ?? { x: 0, y: 0 });
+      if (numbers) {
+        const s = now.morph;
+        const moved = {
+          x: (1 - s) * numbers.x + s * numbers.partnerX,
+          y: (1 - s) * numbers.y + s * numbers.partnerY,
+        };
+        drawMark(context, frame, colours, numbers, colours.reference);
+        drawMark(context, frame, colours, moved, colours.template);
+      }
+      drawn?.(now);
+    });
+    surface.current = made;
+    const stop = effect(() => {
+      for (const shown of [scene, limit, view, lazy, picture, probe]) shown.value;
+      made.invalidate();
+    });
+    return () => {
+      stop();
+      made.dispose();
+    };
+  }, [scene, limit, drawn]);
+
+  const point = (event: PointerEvent) => {
+    const { match, morph } = scene.peek();
+    if (!match || !surface.current) return;
+    const { x, y } = surface.current.pointFrom(event);
+    const { reference, matched } = match.curves;
+    const moved = matched.map((loop, l) => blended(reference[l], loop, morph));
+    probe.value = probeAt(reference, moved, x, y, REACH / surface.current.pixelsPerUnit);
+  };
+  const press = (event: KeyboardEvent) => {
+    const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+    const { match } = scene.peek();
+    if (event.key === "Escape") probe.value = null;
+    if (!steps || !match) return;
+    event.preventDefault();
+    probe.value = stepped(match.curves.reference, probe.peek(), event.shiftKey ? steps : 5 * steps);
+  };
+  return (
+    <canvas
+      ref={canvas}
+      role="img"
+      tabIndex={0}
+      aria-label={label}
+      class="result"
+      onPointerMove={point}
+      onPointerDown={point}
+      onPointerLeave={() => {
+        probe.value = null;
+      }}
+      onKeyDown={press}
+    />
+  );
+}

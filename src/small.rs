@@ -1,13 +1,16 @@
 //! Vectors and matrices of the dimension D, over a scalar or over lanes of it.
 //!
 //! `[S; D]` is a vector, `[[S; D]; D]` a matrix stored by rows: `m[row][column]`.
-//! [`Scalar`] is implemented for `f64` and for the two-wide lanes [`F64x2`], so every formula written
+//! [`Scalar`] is implemented for `f64` and for lanes of several numbers, so every formula written
 //! against it is at once the reference and the fast path.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// Two lanes of f64: one SSE2 or wasm `simd128` register.
 pub type F64x2 = wide::f64x2;
+
+/// Four lanes of f32 in one such register, for what need not be exact.
+pub type F32x4 = wide::f32x4;
 
 pub type Vector<S, const D: usize> = [S; D];
 pub type Matrix<S, const D: usize> = [[S; D]; D];
@@ -101,6 +104,35 @@ impl Scalar for F64x2 {
     #[inline(always)]
     fn sqrt(self) -> Self {
         F64x2::sqrt(self)
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.fast_max(other)
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.fast_min(other)
+    }
+}
+
+impl Scalar for F32x4 {
+    const LANES: usize = 4;
+
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        F32x4::from([value as f32; 4])
+    }
+    #[inline(always)]
+    fn gather(f: impl Fn(usize) -> f64) -> Self {
+        F32x4::from([f(0) as f32, f(1) as f32, f(2) as f32, f(3) as f32])
+    }
+    #[inline(always)]
+    fn lane(self, k: usize) -> f64 {
+        f64::from(self.to_array()[k])
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        F32x4::sqrt(self)
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {

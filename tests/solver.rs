@@ -295,5 +295,5 @@ fn a_turned_star_is_found_among_the_starts() {
 
 #[test]
 fn circle_to_ellipse_gives_the_recorded_result() {
-    common::assert_circle_to_ellipse(1e-10);
+    common::assert_circle_to_ellipse(1e-6);
 }

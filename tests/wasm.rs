@@ -19,8 +19,7 @@ fn numbering_is_that_of_the_native_build_on_the_largest_grid() {
     assert_eq!(grid.position(grid.node([0, 128, 256])), [0.0, 0.5, 1.0]);
 }
 
-// Sines and cosines differ in their last bits between the platforms, and a minimiser ends where its tolerance lets it:
-// energies agree to a millionth, far below the tolerance of 1e-5 that stops it.
+// Sines and cosines differ in their last bits between the platforms: energies agree to a millionth, not to the bit.
 #[wasm_bindgen_test]
 fn circle_to_ellipse_gives_the_native_result() {
     common::assert_circle_to_ellipse(1e-6);

@@ -1,5 +1,7 @@
 //! The kernels that `cargo bench` times natively and `npm run bench` in the browser: the same code, the same input.
 
+#![allow(dead_code, reason = "each benchmark uses a part")]
+
 #[path = "../../tests/common/mod.rs"]
 pub mod shapes;
 

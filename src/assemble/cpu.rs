@@ -6,7 +6,7 @@ use crate::distance::SignedDistance;
 use crate::energy::{CURVATURE, Energies, Functional, GRADIENT, Point, Response, Term, VALUE, Volume};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::{Rule, edge_ends};
-use crate::small::{F64x2, Matrix, Scalar, Vector, add_scaled, determinant};
+use crate::small::{F32x4, F64x2, Matrix, Scalar, Vector, add_scaled, determinant};
 use crate::stencil::StencilOperator;
 
 const MAX_EDGES: usize = 4;
@@ -24,8 +24,8 @@ pub struct CpuAssembler<const D: usize, S: Scalar = F64x2> {
     vertices: Rule<D, 2>,
     band: Band<S, D>,
     template: TemplateField<D>,
-    /// Weight of the volume density, quadrature weights excluded: one entry a pack of cells in a row.
-    volume_weight: Vec<S>,
+    /// Weight of the volume density by cells, quadrature weights excluded.
+    volume_weight: Vec<f64>,
     corner_neighbours: [[usize; MAX_CORNERS]; MAX_CORNERS],
 }
 
@@ -38,11 +38,11 @@ type Pairs<S, const D: usize, const C: usize> = [[Matrix<S, D>; C]; C];
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     /// # Panics
-    /// If the shapes live on different grids, or the grid has an odd number of cells a side.
+    /// If the shapes live on different grids, or the cells of a row are no multiple of four.
     pub fn new(functional: &Functional, reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self {
         let grid = reference.grid();
         assert_eq!(grid, template.grid(), "both shapes live on the level's grid");
-        assert_eq!(grid.cells() % S::LANES, 0, "a row of cells fills its lanes");
+        assert_eq!(grid.cells() % F32x4::LANES, 0, "a row of cells fills its lanes");
         let gauss3 = Rule::gauss3();
         let cell_volume = grid.spacing().powi(D as i32);
         let offsets = grid.corner_offsets();
@@ -50,12 +50,10 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             let base = grid.lowest_node(cell);
             (0..Grid::<D>::CORNERS).map(|c| reference.values()[base + offsets[c]]).sum::<f64>() < 0.0
         };
-        let volume_weight = (0..grid.cell_count() / S::LANES)
-            .map(|pack| {
-                S::gather(|lane| {
-                    let softness = if inside(pack * S::LANES + lane) { 1.0 } else { functional.interior };
-                    functional.volume * softness * cell_volume
-                })
+        let volume_weight = (0..grid.cell_count())
+            .map(|cell| {
+                let softness = if inside(cell) { 1.0 } else { functional.interior };
+                functional.volume * softness * cell_volume
             })
             .collect();
         Self {
@@ -106,21 +104,19 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             operator.clear();
         }
         let mut energies = Energies::default();
-        let least_determinant = self.volume_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
+        let least_determinant = self.volume_pass::<ORDER>(displacement, gradient, &mut energies);
         if least_determinant > 0.0 {
             self.shell_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
+            if let Some(operator) = operator {
+                // The operator is f32, and so may be what goes into it: four cells at a time instead of two.
+                self.volume_curvature_pass::<F32x4, C>(displacement, operator);
+            }
         }
         Evaluation { energies, least_determinant }
     }
 
     /// Volume energy over all cells; returns the least determinant, and early once it is not positive.
-    fn volume_pass<const ORDER: u8, const C: usize>(
-        &self,
-        displacement: &[f64],
-        gradient: &mut [f64],
-        operator: &mut Option<&mut StencilOperator<D>>,
-        energies: &mut Energies,
-    ) -> f64 {
+    fn volume_pass<const ORDER: u8>(&self, displacement: &[f64], gradient: &mut [f64], energies: &mut Energies) -> f64 {
         let volume = Volume(self.functional.material);
         let share = S::splat(self.functional.vertex_share);
         let rest = S::splat(1.0 - self.functional.vertex_share);
@@ -129,9 +125,10 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         let mut least = S::splat(f64::INFINITY);
         let packs_a_row = self.grid.cells() / S::LANES;
 
-        for (pack, &weight) in self.volume_weight.iter().enumerate() {
+        for (pack, weights) in self.volume_weight.chunks_exact(S::LANES).enumerate() {
             let base = self.grid.lowest_node(pack * S::LANES);
             let nodes: [usize; 2] = std::array::from_fn(|lane| base + lane.min(S::LANES - 1));
+            let weight = S::gather(|lane| weights[lane]);
             let corners = self.gather(displacement, nodes);
             let edges = edge_differences(&corners, inverse);
             let mut forces = [[[S::zero(); D]; MAX_EDGES]; D];
@@ -151,13 +148,6 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 let mut corner_forces = [[S::zero(); D]; MAX_CORNERS];
                 edge_forces_to_corners(&forces, inverse, &mut corner_forces);
                 self.scatter(&corner_forces, nodes, gradient);
-            }
-            if ORDER >= CURVATURE
-                && let Some(operator) = operator
-            {
-                let mut pairs = [[[[S::zero(); D]; D]; C]; C];
-                self.add_volume_pairs(&volume, weight, &edges, inverse, &mut pairs);
-                self.scatter_pairs(&pairs, nodes, operator);
             }
             if (pack + 1) % packs_a_row == 0 && least.least() <= 0.0 {
                 break;
@@ -183,7 +173,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             let weight = weight * S::splat(rule.weight[point]);
             let slots = slots_at(rule, columns, point);
             let mut response = Response::zero();
-            // The curvature has a rule of its own, see `volume_pairs`.
+            // The curvature has a rule of its own, see `volume_curvature_pass`.
             energy += weight
                 * if ORDER == VALUE {
                     volume.add::<S, VALUE>(weight, &Point::of_slots(slots), &mut response)
@@ -203,46 +193,63 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         energy
     }
 
-    /// The volume's curvature of a pack. 2^D Gauss points suffice: they leave no mode of the cell without
-    /// curvature, and the minimiser needs as many iterations as with 3^D.
-    #[inline(always)]
-    fn add_volume_pairs<const C: usize>(
+    /// The volume's curvature over all cells, `T` lanes at a time. 2^D Gauss points suffice: they leave no mode of a cell
+    /// without curvature, and the minimiser needs as many iterations as with 3^D.
+    fn volume_curvature_pass<T: Scalar, const C: usize>(
         &self,
-        volume: &Volume,
-        weight: S,
-        edges: &Edges<S, D>,
-        inverse: S,
-        pairs: &mut Pairs<S, D, C>,
+        displacement: &[f64],
+        operator: &mut StencilOperator<D>,
     ) {
+        let volume = Volume(self.functional.material);
+        let cells = self.grid.cells() as f64;
+        let offsets = self.grid.corner_offsets();
         let rule = &self.gauss2;
-        let columns = columns_of(rule, edges);
-        let scaled = weight * inverse * inverse;
-        let mut curvatures = [[[[[S::zero(); D]; D]; D]; D]; C];
-        for (point, curvature) in curvatures.iter_mut().enumerate() {
-            let mut response = Response::zero();
-            let slots = slots_at(rule, &columns, point);
-            volume.add::<S, CURVATURE>(scaled * S::splat(rule.weight[point]), &Point::of_slots(slots), &mut response);
-            *curvature = response.curvature;
-        }
-        // A derivative of φ is an average over edges, so edge pairs are integrated and then handed to their ends.
-        for p in 0..D {
-            for q in p..D {
-                for e in 0..Rule::<D, 2>::EDGES {
-                    for f in 0..Rule::<D, 2>::EDGES {
-                        let mut block = [[S::zero(); D]; D];
-                        for (point, curvature) in curvatures.iter().enumerate() {
-                            let column = &rule.column[point];
-                            let share = S::splat(rule.edge[column[p]][e] * rule.edge[column[q]][f]);
-                            for a in 0..D {
-                                for b in 0..D {
-                                    block[a][b] += share * curvature[p][q][a][b];
-                                }
-                            }
-                        }
-                        add_edge_pair(pairs, (p, e), (q, f), &block);
+        for (pack, weights) in self.volume_weight.chunks_exact(T::LANES).enumerate() {
+            let base = self.grid.lowest_node(pack * T::LANES);
+            // Differences are taken before the numbers are rounded to T.
+            let mut edges = [[[T::zero(); D]; MAX_EDGES]; D];
+            for (axis, edges) in edges.iter_mut().enumerate() {
+                for (edge, difference) in edges.iter_mut().enumerate().take(1 << (D - 1)) {
+                    let (low, high) = edge_ends(axis, edge);
+                    let (low, high) =
+                        (&displacement[(base + offsets[low]) * D..], &displacement[(base + offsets[high]) * D..]);
+                    for k in 0..D {
+                        difference[k] = T::gather(|lane| (high[lane * D + k] - low[lane * D + k]) * cells);
                     }
                 }
             }
+            let columns = columns_of(rule, &edges);
+            let scaled = T::gather(|lane| weights[lane] * cells * cells);
+            let mut curvatures = [[[[[T::zero(); D]; D]; D]; D]; C];
+            for (point, curvature) in curvatures.iter_mut().enumerate() {
+                let mut response = Response::zero();
+                let slots = slots_at(rule, &columns, point);
+                let weight = scaled * T::splat(rule.weight[point]);
+                volume.add::<T, CURVATURE>(weight, &Point::of_slots(slots), &mut response);
+                *curvature = response.curvature;
+            }
+            let mut pairs = [[[[T::zero(); D]; D]; C]; C];
+            // A derivative of φ is an average over edges, so edge pairs are integrated and then handed to their ends.
+            for p in 0..D {
+                for q in p..D {
+                    for e in 0..Rule::<D, 2>::EDGES {
+                        for f in 0..Rule::<D, 2>::EDGES {
+                            let mut block = [[T::zero(); D]; D];
+                            for (point, curvature) in curvatures.iter().enumerate() {
+                                let column = &rule.column[point];
+                                let share = T::splat(rule.edge[column[p]][e] * rule.edge[column[q]][f]);
+                                for a in 0..D {
+                                    for b in 0..D {
+                                        block[a][b] += share * curvature[p][q][a][b];
+                                    }
+                                }
+                            }
+                            add_edge_pair(&mut pairs, (p, e), (q, f), &block);
+                        }
+                    }
+                }
+            }
+            self.scatter_pairs(&pairs, |lane| base + lane, operator);
         }
     }
 
@@ -321,7 +328,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             if ORDER >= CURVATURE
                 && let Some(operator) = operator
             {
-                self.scatter_pairs(&pairs, nodes, operator);
+                self.scatter_pairs(&pairs, |lane| nodes[lane], operator);
             }
         }
         energies.membrane = sums[0].sum();
@@ -408,17 +415,17 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     }
 
     #[inline(always)]
-    fn scatter_pairs<const C: usize>(
+    fn scatter_pairs<T: Scalar, const C: usize>(
         &self,
-        pairs: &Pairs<S, D, C>,
-        nodes: [usize; 2],
+        pairs: &Pairs<T, D, C>,
+        node: impl Fn(usize) -> usize,
         operator: &mut StencilOperator<D>,
     ) {
         let offsets = self.grid.corner_offsets();
         for a in 0..Grid::<D>::CORNERS {
             for b in a..Grid::<D>::CORNERS {
-                for lane in 0..S::LANES {
-                    let (first, second) = (nodes[lane] + offsets[a], nodes[lane] + offsets[b]);
+                for lane in 0..T::LANES {
+                    let (first, second) = (node(lane) + offsets[a], node(lane) + offsets[b]);
                     let block = operator.block_mut(first, self.corner_neighbours[a][b]);
                     for i in 0..D {
                         for j in 0..D {

@@ -101,7 +101,7 @@ function tenths(count: number, after: boolean): string {
 }
 
 /** At most this many points a loop: more cannot be told apart at a panel's size. */
-const OUTLINE_POINTS = 200;
+const OUTLINE_POINTS = 160;
 
 function outline(loop: Float64Array, place: Place): string {
   const count = loop.length / 2;

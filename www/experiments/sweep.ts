@@ -29,13 +29,13 @@ export const SWEEPS: readonly Sweep[] = [
     name: "σ",
     field: "bandwidth",
     values: [0.03, 0.05, 0.1, 0.2],
-    see: "The width of the band hardly changes the matched curve. But all offset curves within the band resist stretching like the curve itself, so a wider one brings more of the plane closer to folding.",
+    see: "Where the search gets through, the width of the band hardly changes the matched curve. But all offset curves within the band resist stretching like the curve itself, so a wide one brings more of the plane close to folding, and the search may get stuck there.",
   },
   {
     name: "ξ",
     field: "volume",
     values: [1e-5, 1e-4, 1e-3, 1e-2, 1e-1],
-    see: "The volume term keeps the plane in one piece: the more of it, the larger the least determinant, while the curve hardly notices. With too little of it cells nearly fold and the search ends early.",
+    see: "The volume term keeps the plane in one piece: more of it keeps the cells further from folding, while the curve hardly notices.",
   },
   {
     name: "θ",

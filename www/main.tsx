@@ -2,6 +2,7 @@
 
 import { render } from "preact";
 import { Import } from "./controls/Import";
+import { Later } from "./controls/Later";
 import { Morph } from "./controls/Morph";
 import { Presets } from "./controls/Presets";
 import { ResultPanel } from "./controls/ResultPanel";
@@ -41,11 +42,23 @@ function App({ session }: { session: Session }) {
           <ResultPanel session={session} />
         </div>
         <StatusPanel session={session} />
+        <Later
+          session={session}
+          name="energies"
+          title="Energies over iterations"
+          load={async () => (await import("./controls/EnergyPlot")).EnergyPlot}
+        />
       </section>
       <div class="choices">
         <Presets session={session} />
         <SettingsPanel session={session} />
       </div>
+      <Later
+        session={session}
+        name="compare"
+        title="Compare side by side"
+        load={async () => (await import("./controls/Compare")).Compare}
+      />
       <Import session={session} />
     </>
   );

@@ -68,7 +68,10 @@ export class Session {
   /** The frame to show: none while the shapes are others than those it was computed for, unless a new run is on. */
   readonly match;
 
-  constructor(module: Promise<WebAssembly.Module>, opened: Opened) {
+  constructor(
+    readonly module: Promise<WebAssembly.Module>,
+    opened: Opened,
+  ) {
     const { saved, problem } = opened;
     this.history = signal<History<Pair>>(begun(pairFrom(saved.reference, saved.template, saved.preset)));
     this.settings.value = saved.settings;
@@ -409,7 +412,7 @@ function curves(shape: Shape) {
   return { kind: "curves" as const, loops: [...shape] };
 }
 
-function sentence(message: string): string {
+export function sentence(message: string): string {
   const text = message.charAt(0).toUpperCase() + message.slice(1);
   return /[.!?]$/.test(text) ? text : `${text}.`;
 }

@@ -5,11 +5,11 @@ import { decimals } from "./numbers";
 import { probe } from "./viewing";
 
 /** The numbers at the place that is pointed at, in the half of the picture where it is not. */
-export function Readout({ match }: { match: ReadonlySignal<Match | null> }) {
+export function Readout({ match, name = "Numbers at the point" }: Properties) {
   const numbers = match.value && probe.value && localNumbers(match.value, probe.value);
   const low = numbers !== null && Math.max(numbers.y, numbers.partnerY) > 0.55;
   return (
-    <section class={low ? "readout low" : "readout"} aria-live="polite" aria-label="Numbers at the point">
+    <section class={low ? "readout low" : "readout"} aria-live="polite" aria-label={name}>
       {numbers && (
         <dl>
           <Pair label="Point" names={["point-x", "point-y"]} values={[numbers.x, numbers.y]} />
@@ -28,6 +28,8 @@ export function Readout({ match }: { match: ReadonlySignal<Match | null> }) {
     </section>
   );
 }
+
+type Properties = { readonly match: ReadonlySignal<Match | null>; readonly name?: string };
 
 type PairProperties = {
   readonly label: string;

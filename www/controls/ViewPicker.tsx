@@ -4,7 +4,7 @@ import { VIEWS, type View } from "../view/names";
 import { choose, view } from "./viewing";
 
 /** Chooses how the match is drawn. */
-export function ViewPicker({ session }: { session: Session }) {
+export function ViewPicker({ session, name = "View" }: { session: Session; name?: string }) {
   const busy = useSignal(false);
   const change = async (wanted: View) => {
     busy.value = true;
@@ -19,7 +19,7 @@ export function ViewPicker({ session }: { session: Session }) {
   return (
     <select
       class="view-picker"
-      aria-label="View"
+      aria-label={name}
       aria-busy={busy.value}
       title={VIEWS.find((candidate) => candidate.view === view.value)?.help}
       value={view.value}

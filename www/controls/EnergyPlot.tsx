@@ -1,0 +1,127 @@
+import { effect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import type { Iteration } from "../protocol";
+import type { Session } from "../session";
+import "./energyPlot.css";
+import { decimals } from "./numbers";
+
+const HEIGHT = 240;
+
+/** Dashes besides colours, for eyes and printers that tell no colours apart. */
+const TERMS = [
+  { name: "total", label: "Total", colour: "ink", dash: [] },
+  { name: "membrane", label: "Stretching", colour: "reference", dash: [8, 3] },
+  { name: "bending", label: "Bending", colour: "bending", dash: [2, 3] },
+  { name: "mismatch", label: "Mismatch", colour: "template", dash: [] },
+  { name: "volume", label: "Volume", colour: "volume", dash: [8, 3, 2, 3] },
+] as const;
+
+/** All terms of the energy over all iterations, logarithmic, with a line where a finer grid begins. */
+export function EnergyPlot({ session }: { session: Session }) {
+  const place = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = place.current;
+    if (!element) return;
+    let plot: uPlot | null = null;
+    const make = () => {
+      plot?.destroy();
+      plot = new uPlot(
+        options(element, () => session.energies.peek()),
+        columns(session.energies.peek()),
+        element,
+      );
+    };
+    make();
+    const stop = effect(() => plot?.setData(columns(session.energies.value)));
+    const resizes = new ResizeObserver(() => plot?.setSize({ width: element.clientWidth, height: HEIGHT }));
+    resizes.observe(element);
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    scheme.addEventListener("change", make);
+    return () => {
+      stop();
+      resizes.disconnect();
+      scheme.removeEventListener("change", make);
+      plot?.destroy();
+    };
+  }, [session]);
+  return (
+    <figure class="energy-plot">
+      <div ref={place} role="img" aria-label="Energy terms over iterations, logarithmic" />
+      {session.energies.value.length === 0 && <p>Press Match to see the energies fall.</p>}
+    </figure>
+  );
+}
+
+/** A logarithm has no place for a term that is left out. */
+export function columns(history: readonly Iteration[]): uPlot.AlignedData {
+  return [
+    history.map((_, i) => i + 1),
+    ...TERMS.map(({ name }) => history.map((iteration) => (iteration[name] > 0 ? iteration[name] : null))),
+  ];
+}
+
+function options(element: HTMLElement, history: () => readonly Iteration[]): uPlot.Options {
+  const style = getComputedStyle(element);
+  const colour = (name: string) => style.getPropertyValue(`--${name}`).trim();
+  const font = `12px ${style.fontFamily}`;
+  const axis = { stroke: colour("muted"), grid: { stroke: colour("frame"), width: 1 }, ticks: { show: false }, font };
+  return {
+    width: element.clientWidth,
+    height: HEIGHT,
+    scales: { x: { time: false }, y: { distr: 3 } },
+    axes: [
+      { ...axis, size: 28, label: "iteration", labelFont: font, labelSize: 18 },
+      {
+        ...axis,
+        size: 46,
+        grid: { ...axis.grid, filter: (_, splits) => splits.map((value) => (power(value) === null ? null : value)) },
+        values: (_, splits) => splits.map((value) => power(value) ?? ""),
+      },
+    ],
+    series: [
+      { label: "Iteration" },
+      ...TERMS.map(({ label, colour: name, dash }) => ({
+        label,
+        stroke: colour(name),
+        dash: [...dash],
+        width: 1.75,
+        points: { show: false },
+        value: (_: uPlot, value: number | null) => (value === null ? "–" : decimals(value)),
+      })),
+    ],
+    hooks: { draw: [(plot) => markLevels(plot, history(), colour("muted"), font)] },
+  };
+}
+
+const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** 10⁻³ for 0.001, and so on; null for all but whole powers of ten, for which alone there is room. */
+export function power(value: number | null): string | null {
+  const exponent = Math.log10(value ?? Number.NaN);
+  if (!(Math.abs(exponent - Math.round(exponent)) < 1e-9)) return null;
+  const digits = String(Math.abs(Math.round(exponent)));
+  return `10${exponent < -0.5 ? "⁻" : ""}${Array.from(digits, (digit) => SUPERSCRIPTS[Number(digit)]).join("")}`;
+}
+
+function markLevels(plot: uPlot, history: readonly Iteration[], stroke: string, font: string): void {
+  const { ctx, bbox } = plot;
+  ctx.save();
+  ctx.strokeStyle = stroke;
+  ctx.fillStyle = stroke;
+  ctx.lineWidth = devicePixelRatio;
+  ctx.font = font.replace("12px", `${11 * devicePixelRatio}px`);
+  ctx.textAlign = "left";
+  history.forEach(({ level }, i) => {
+    if (i > 0 && history[i - 1].level === level) return;
+    const x = plot.valToPos(i + (i > 0 ? 0.5 : 1), "x", true);
+    ctx.setLineDash([3 * devicePixelRatio, 3 * devicePixelRatio]);
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.fillText(`${2 ** level + 1}²`, x + 4 * devicePixelRatio, bbox.top + bbox.height - 5 * devicePixelRatio);
+  });
+  ctx.restore();
+}

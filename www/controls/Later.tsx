@@ -1,0 +1,35 @@
+import { useSignal } from "@preact/signals";
+import type { FunctionComponent } from "preact";
+import type { Session } from "../session";
+
+type Part = FunctionComponent<{ session: Session }>;
+
+/** A part of the page that is fetched when it is first opened. */
+export function Later({ session, name, title, load }: Properties) {
+  const part = useSignal<Part | null>(null);
+  const open = useSignal(false);
+  const toggle = async (details: HTMLDetailsElement) => {
+    open.value = details.open;
+    if (!details.open || part.value) return;
+    try {
+      part.value = await load();
+    } catch {
+      details.open = false;
+      session.problem.value = `“${title}” could not be loaded; check the connection, or reload the page.`;
+    }
+  };
+  const Loaded = part.value;
+  return (
+    <details class={`later ${name}`} onToggle={(event) => void toggle(event.currentTarget)}>
+      <summary>{title}</summary>
+      {open.value && Loaded && <Loaded session={session} />}
+    </details>
+  );
+}
+
+type Properties = {
+  readonly session: Session;
+  readonly name: string;
+  readonly title: string;
+  readonly load: () => Promise<Part>;
+};

@@ -1,0 +1,86 @@
+/** Two settings on the same shapes, solved one after the other in a worker of their own. */
+
+import { signal } from "@preact/signals";
+import type { FrameReply, Settings } from "../protocol";
+import type { Chosen } from "../settings";
+import type { Shape } from "../shapes/geometry";
+import { Solver } from "../solver";
+
+export type Outcome = {
+  readonly settings: Chosen;
+  readonly reference: Shape;
+  readonly template: Shape;
+  readonly frame: FrameReply;
+  /** From the start to the last frame. */
+  readonly millis: number;
+};
+
+export type Job = { readonly reference: Shape; readonly template: Shape; readonly settings: Chosen };
+
+export class Comparison {
+  private readonly solver: Solver;
+  private waiting: { readonly job: Job; readonly side: 0 | 1 }[] = [];
+  private begun = 0;
+
+  readonly outcomes = signal<readonly [Outcome | null, Outcome | null]>([null, null]);
+  readonly busy = signal(false);
+
+  constructor(module: Promise<WebAssembly.Module>, fail: (message: string) => void) {
+    const failed = (message: string) => {
+      this.stop();
+      fail(message);
+    };
+    this.solver = new Solver(module, {
+      frame: (frame) => this.receive(frame),
+      refused: failed,
+      unavailable: failed,
+      crashed: (message) => failed(`The solver stopped unexpectedly (${message}); compare again.`),
+    });
+  }
+
+  /** One after the other: side by side they would slow each other down, and their times mean nothing. */
+  run(jobs: readonly [Job, Job]): void {
+    this.outcomes.value = [null, null];
+    this.waiting = [
+      { job: jobs[0], side: 0 },
+      { job: jobs[1], side: 1 },
+    ];
+    this.busy.value = true;
+    this.next();
+  }
+
+  stop(): void {
+    this.waiting = [];
+    this.busy.value = false;
+    this.solver.cancel();
+  }
+
+  dispose(): void {
+    this.solver.dispose();
+  }
+
+  private next(): void {
+    const [first] = this.waiting;
+    if (!first) {
+      this.busy.value = false;
+      return;
+    }
+    const { reference, template, settings } = first.job;
+    this.begun = performance.now();
+    this.solver.start(
+      { kind: "curves", loops: [...reference] },
+      { kind: "curves", loops: [...template] },
+      settings as Partial<Settings>,
+    );
+  }
+
+  private receive(frame: FrameReply): void {
+    const [first, ...others] = this.waiting;
+    if (!first || !frame.status.finished) return;
+    const outcome = { ...first.job, frame, millis: performance.now() - this.begun };
+    const [a, b] = this.outcomes.value;
+    this.outcomes.value = first.side === 0 ? [outcome, b] : [a, outcome];
+    this.waiting = others;
+    this.next();
+  }
+}

@@ -1,6 +1,6 @@
 //! Signed distance functions on the nodes of a grid: the form in which shapes enter the energy.
 //!
-//! d(x) = ± dist(x, M), positive outside M and negative inside, in domain units (the box is [0,1]^D).
+//! d(x) = ± dist(x, M), positive outside M and negative inside, in domain units (the box is `[0,1]^D`).
 //! [`SignedDistance::from_loops`] makes one of polygons, [`SignedDistance::from_mask`] of a picture,
 //! [`SignedDistance::redistance`] of any level set; [`SignedDistance::from_level_set`] takes nodal values as they are.
 

@@ -1,6 +1,6 @@
 //! Elastic registration of shapes by thin shell energies.
 //!
-//! Two closed curves or surfaces in the unit box Ω = [0,1]^D, D = 2 or 3, are given by their signed distances d1
+//! Two closed curves or surfaces in the unit box Ω = `[0,1]^D`, D = 2 or 3, are given by their signed distances d1
 //! (reference) and d2 (template), positive outside. Sought is the deformation φ: Ω → R^D that minimises
 //!
 //! ```text

@@ -18,7 +18,7 @@ const MOST_POINTS: usize = 2_000_000;
 impl SignedDistance<2> {
     /// The exact signed distance to the outline of the pixels above 127, row 0 on top, one byte a pixel.
     ///
-    /// The longest side of the picture spans [0,1], the shorter one is centred. Grey values belong to the pixels'
+    /// The longest side of the picture spans `[0,1]`, the shorter one is centred. Grey values belong to the pixels'
     /// centres; the outline is where their bilinear interpolant passes 127.5, so that smooth edges are found to a
     /// fraction of a pixel. All components and holes count, and what lies beyond the picture is outside.
     ///

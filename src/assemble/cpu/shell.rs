@@ -1,0 +1,149 @@
+//! Membrane, bending and mismatch, over the cells of the band.
+
+use super::CpuAssembler;
+use super::element::{
+    MAX_COLUMNS, MAX_EDGES, Pairs, columns_of, edge_differences, edge_forces_to_corners, slots_at, stress_to_edges,
+};
+use crate::assemble::band::ReferenceSample;
+use crate::energy::{CURVATURE, Energies, GRADIENT, Point, Response};
+use crate::grid::{Grid, MAX_CORNERS};
+use crate::quadrature::{Rule, edge_ends};
+use crate::small::{Scalar, Vector, add_scaled};
+use crate::stencil::StencilOperator;
+
+impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
+    /// Membrane, bending and mismatch over the band's cells.
+    pub(super) fn shell_pass<const ORDER: u8, const C: usize>(
+        &self,
+        displacement: &[f64],
+        gradient: &mut [f64],
+        operator: &mut Option<&mut StencilOperator<D>>,
+        energies: &mut Energies,
+    ) {
+        let rule = &self.gauss3;
+        let (spacing, inverse) = (S::splat(self.grid.spacing()), S::splat(self.grid.cells() as f64));
+        let mut sums = [S::zero(); 3];
+        for (pack, &nodes) in self.band.packs.iter().enumerate() {
+            let corners = self.gather(displacement, nodes);
+            let edges = edge_differences(&corners, inverse);
+            let columns = columns_of(rule, &edges);
+            let samples = self.band.pack_samples(pack);
+            let indices = nodes.map(|node| self.grid.node_index(node));
+            let origin: Vector<S, D> = std::array::from_fn(|k| S::gather(|lane| indices[lane][k] as f64) * spacing);
+
+            let mut stress = [[[S::zero(); D]; MAX_COLUMNS]; D];
+            let mut corner_forces = [[S::zero(); D]; MAX_CORNERS];
+            let mut pairs = [[[[S::zero(); D]; D]; C]; C];
+            for point in 0..Rule::<D, 3>::POINTS {
+                let sample = ReferenceSample::<S, D>::read(samples, point);
+                let derivative = slots_at(rule, &columns, point);
+                let mut moved = origin;
+                for corner in 0..Grid::<D>::CORNERS {
+                    let shape = S::splat(rule.shape[point][corner]);
+                    for k in 0..D {
+                        let at = if corner >> k & 1 == 1 { corners[corner][k] + spacing } else { corners[corner][k] };
+                        moved[k] += shape * at;
+                    }
+                }
+                let mut slots = [[S::zero(); D]; D];
+                slots[D - 1] = moved;
+                for i in 0..D - 1 {
+                    for (k, column) in derivative.iter().enumerate() {
+                        slots[i] = add_scaled(&slots[i], sample.tangents[i][k], column);
+                    }
+                }
+                let template = self.template.sample::<S, ORDER>(&moved);
+                let mut response = Response::zero();
+                let densities = self.functional.shell::<S, D, ORDER>(
+                    sample.weight,
+                    &Point { slots, reference: sample.jet, template },
+                    &mut response,
+                );
+                for (sum, density) in sums.iter_mut().zip(densities) {
+                    *sum += density;
+                }
+                if ORDER >= GRADIENT {
+                    for (k, stress) in stress.iter_mut().enumerate() {
+                        let column = &mut stress[rule.column[point][k]];
+                        for i in 0..D - 1 {
+                            *column = add_scaled(column, sample.tangents[i][k], &response.gradient[i]);
+                        }
+                    }
+                    for corner in 0..Grid::<D>::CORNERS {
+                        let shape = S::splat(rule.shape[point][corner]);
+                        corner_forces[corner] = add_scaled(&corner_forces[corner], shape, &response.gradient[D - 1]);
+                    }
+                }
+                if ORDER >= CURVATURE {
+                    self.add_shell_pairs(&mut pairs, point, &sample.tangents, &response, inverse);
+                }
+            }
+            if ORDER >= GRADIENT {
+                let mut forces = [[[S::zero(); D]; MAX_EDGES]; D];
+                stress_to_edges(rule, &stress, &mut forces);
+                edge_forces_to_corners(&forces, inverse, &mut corner_forces);
+                self.scatter(&corner_forces, nodes, gradient);
+            }
+            if ORDER >= CURVATURE
+                && let Some(operator) = operator
+            {
+                self.scatter_pairs(&pairs, |lane| nodes[lane], operator);
+            }
+        }
+        energies.membrane = sums[0].sum();
+        energies.bending = sums[1].sum();
+        energies.mismatch = sums[2].sum();
+    }
+
+    /// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i and s_ay = N_a.
+    #[inline(always)]
+    fn add_shell_pairs<const C: usize>(
+        &self,
+        pairs: &mut Pairs<S, D, C>,
+        point: usize,
+        tangents: &[Vector<S, D>; D],
+        response: &Response<S, D>,
+        inverse: S,
+    ) {
+        let rule = &self.gauss3;
+        let mut values = [[S::zero(); D]; C];
+        for axis in 0..D {
+            for edge in 0..Rule::<D, 3>::EDGES {
+                let slope = inverse * S::splat(rule.edge[rule.column[point][axis]][edge]);
+                let (low, high) = edge_ends(axis, edge);
+                for i in 0..D - 1 {
+                    let along = slope * tangents[i][axis];
+                    values[high][i] += along;
+                    values[low][i] -= along;
+                }
+            }
+        }
+        for corner in 0..Grid::<D>::CORNERS {
+            values[corner][D - 1] = S::splat(rule.shape[point][corner]);
+        }
+        for b in 0..Grid::<D>::CORNERS {
+            // moved[p] = Σ_q s_bq H_pq
+            let mut moved = [[[S::zero(); D]; D]; D];
+            for p in 0..D {
+                for q in 0..D {
+                    for i in 0..D {
+                        for j in 0..D {
+                            let entry =
+                                if p <= q { response.curvature[p][q][i][j] } else { response.curvature[q][p][j][i] };
+                            moved[p][i][j] += values[b][q] * entry;
+                        }
+                    }
+                }
+            }
+            for a in 0..=b {
+                for p in 0..D {
+                    for i in 0..D {
+                        for j in 0..D {
+                            pairs[a][b][i][j] += values[a][p] * moved[p][i][j];
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Between nodal arrays and the lanes of a pack of cells.
+
+use super::CpuAssembler;
+use super::element::{Corners, Pairs};
+use crate::grid::{Grid, MAX_CORNERS};
+use crate::small::Scalar;
+use crate::stencil::StencilOperator;
+
+impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
+    #[inline(always)]
+    pub(super) fn gather(&self, displacement: &[f64], nodes: [usize; 2]) -> Corners<S, D> {
+        let offsets = self.grid.corner_offsets();
+        let mut corners = [[S::zero(); D]; MAX_CORNERS];
+        for corner in 0..Grid::<D>::CORNERS {
+            let rows: [&[f64]; 2] = nodes.map(|node| &displacement[(node + offsets[corner]) * D..][..D]);
+            for k in 0..D {
+                corners[corner][k] = S::gather(|lane| rows[lane][k]);
+            }
+        }
+        corners
+    }
+
+    #[inline(always)]
+    pub(super) fn scatter(&self, forces: &Corners<S, D>, nodes: [usize; 2], gradient: &mut [f64]) {
+        let offsets = self.grid.corner_offsets();
+        for corner in 0..Grid::<D>::CORNERS {
+            for lane in 0..S::LANES {
+                let row = &mut gradient[(nodes[lane] + offsets[corner]) * D..][..D];
+                for k in 0..D {
+                    row[k] += forces[corner][k].lane(lane);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn scatter_pairs<T: Scalar, const C: usize>(
+        &self,
+        pairs: &Pairs<T, D, C>,
+        node: impl Fn(usize) -> usize,
+        operator: &mut StencilOperator<D>,
+    ) {
+        let offsets = self.grid.corner_offsets();
+        for a in 0..Grid::<D>::CORNERS {
+            for b in a..Grid::<D>::CORNERS {
+                for lane in 0..T::LANES {
+                    let (first, second) = (node(lane) + offsets[a], node(lane) + offsets[b]);
+                    let block = operator.block_mut(first, self.corner_neighbours[a][b]);
+                    for i in 0..D {
+                        for j in 0..D {
+                            block[i * D + j] += pairs[a][b][i][j].lane(lane) as f32;
+                        }
+                    }
+                    if a != b {
+                        let block = operator.block_mut(second, self.corner_neighbours[b][a]);
+                        for i in 0..D {
+                            for j in 0..D {
+                                block[i * D + j] += pairs[a][b][j][i].lane(lane) as f32;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! What a registration answers.
+
+use crate::assemble::Evaluation as Evaluated;
+use crate::cascade::CascadeProgress;
+use crate::energy::Energies as Weighted;
+use crate::report::Report;
+use js_sys::Float64Array;
+use serde::Serialize;
+use tsify::Tsify;
+use wasm_bindgen::prelude::*;
+
+/// Weighted energies.
+#[derive(Serialize, Tsify)]
+pub struct Energies {
+    membrane: f64,
+    bending: f64,
+    mismatch: f64,
+    volume: f64,
+    total: f64,
+}
+
+/// |d2(φ)| along M1, in cells of the current level.
+#[derive(Serialize, Tsify)]
+pub struct Mismatch {
+    mean: f64,
+    max: f64,
+}
+
+/// |Dφ t| along M1.
+#[derive(Serialize, Tsify)]
+pub struct Stretch {
+    mean: f64,
+    deviation: f64,
+}
+
+/// Where a registration stands.
+#[derive(Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct Status {
+    finished: bool,
+    /// Why it ended, a sentence; null while it goes on.
+    #[tsify(type = "string | null")]
+    stop: Option<String>,
+    level: u32,
+    /// Iterations on this level.
+    iteration: usize,
+    /// Evaluations of the energy on all levels.
+    evaluations: usize,
+    energies: Energies,
+    /// The least determinant of Dφ over the corners of all cells; > 0 always.
+    least_determinant: f64,
+    mismatch: Mismatch,
+    stretch: Stretch,
+}
+
+/// Energies and gradient at a deformation. Where it folds (leastDeterminant ≤ 0), energies are Infinity and the
+/// gradient is NaN.
+#[derive(Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct Evaluation {
+    energies: Energies,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    #[tsify(type = "Float64Array")]
+    gradient: Float64Array,
+    least_determinant: f64,
+}
+
+impl From<&Evaluated> for Energies {
+    fn from(evaluated: &Evaluated) -> Self {
+        let infinite = f64::INFINITY;
+        let Weighted { membrane, bending, mismatch, volume } = if evaluated.is_admissible() {
+            evaluated.energies
+        } else {
+            Weighted { membrane: infinite, bending: infinite, mismatch: infinite, volume: infinite }
+        };
+        Self { membrane, bending, mismatch, volume, total: evaluated.total() }
+    }
+}
+
+impl Status {
+    pub(super) fn new(progress: &CascadeProgress, report: &Report) -> Self {
+        Self {
+            finished: progress.stop.is_some(),
+            stop: progress.stop.map(|stop| stop.to_string()),
+            level: progress.level,
+            iteration: progress.iteration,
+            evaluations: progress.evaluations,
+            energies: Energies::from(&progress.evaluation),
+            least_determinant: progress.evaluation.least_determinant,
+            mismatch: Mismatch { mean: report.mismatch_mean, max: report.mismatch_max },
+            stretch: Stretch { mean: report.stretch_mean, deviation: report.stretch_deviation },
+        }
+    }
+}
+
+impl Evaluation {
+    pub(super) fn new(evaluated: &Evaluated, mut gradient: Vec<f64>) -> Self {
+        if !evaluated.is_admissible() {
+            gradient.fill(f64::NAN);
+        }
+        Self {
+            energies: Energies::from(evaluated),
+            gradient: Float64Array::from(gradient.as_slice()),
+            least_determinant: evaluated.least_determinant,
+        }
+    }
+}

@@ -14,6 +14,9 @@ use crate::settings::{Alignment, Settings};
 use level::Level;
 use std::cell::OnceCell;
 
+/// A match with exchanged roles is kept if it is this close, root mean square in cells.
+const MISMATCH_KEPT: f64 = 0.5;
+
 /// A registration under way.
 pub struct Cascade<const D: usize> {
     settings: Settings,
@@ -136,10 +139,13 @@ impl<const D: usize> Cascade<D> {
         self.unfold().await;
     }
 
-    /// From φ⁻¹, found with the template as the shell, to φ on the finest level. Should the nodal inverse fold, the
-    /// cascade starts afresh without exchange.
+    /// From φ⁻¹, found with the template as the shell, to φ on the finest level. Should it not match, or its nodal
+    /// inverse fold, the cascade starts afresh without exchange.
     async fn return_roles(&mut self) {
-        if let Some(displacement) = invert(self.grid(), self.level.displacement()) {
+        let mismatch = self.level.assembler.mismatch_in_cells(&self.progress.evaluation.energies);
+        if mismatch < MISMATCH_KEPT
+            && let Some(displacement) = invert(self.grid(), self.level.displacement())
+        {
             self.enter(self.level.number, false, displacement.clone()).await;
             if self.level.displacement() == displacement.as_slice() {
                 self.level.limit_to_refinement();

@@ -91,6 +91,11 @@ impl<S: Scalar, const D: usize> Band<S, D> {
         Self { packs, samples }
     }
 
+    /// ∫ η(d1/σ) dx.
+    pub fn measure(&self) -> f64 {
+        self.samples.chunks_exact(Self::STRIDE).map(|sample| sample[0].sum()).sum()
+    }
+
     #[inline(always)]
     pub fn pack_samples(&self, pack: usize) -> &[S] {
         &self.samples[pack * Self::POINTS * Self::STRIDE..][..Self::POINTS * Self::STRIDE]

@@ -69,6 +69,12 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         self.band.packs.len() * S::LANES
     }
 
+    /// The root mean square of d2∘φ − d1 over the band, in cells, that a mismatch energy stands for.
+    pub fn mismatch_in_cells(&self, energies: &Energies) -> f64 {
+        let square = energies.mismatch / (self.functional.penalty * self.band.measure());
+        square.sqrt() * self.grid.cells() as f64
+    }
+
     /// With C = 2^D, which the type system cannot compute, as the size of local arrays.
     fn evaluate<const ORDER: u8>(
         &self,

@@ -9,7 +9,7 @@ import init, { Registration } from "./wasm/thinshell.js";
 /** Solving between two looks at the message queue. */
 const CHUNK_MILLIS = 30;
 /** The same after an update: somebody's hand may already be further. */
-const FOLLOWING_MILLIS = 4;
+const FOLLOWING_MILLIS = 2;
 
 type Start = Extract<Request, { kind: "start" }>;
 type Update = Extract<Request, { kind: "update" }>;

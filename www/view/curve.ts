@@ -3,6 +3,9 @@
 import { type Frame, pixelX, pixelY, trace } from "./canvas";
 import { onCycle } from "./palette";
 
+/** Colours along a curve: more could not be told apart, and each costs a stroke. */
+const PIECES = 128;
+
 /** A closed polyline with, at each point, the part 0…1 of the reference's whole length reached there. */
 export type ColouredLoop = { readonly points: Float64Array; readonly parts: Float64Array };
 
@@ -70,8 +73,11 @@ export function strokeColoured(
   width: number,
 ): void {
   const layer = layerOf(frame);
+  // Only the part with the curve on it: clearing and copying all of a large canvas would cost more than the strokes.
+  const [left, top, across, down] = extent(frame, loops, width);
+  if (across <= 0 || down <= 0) return;
   layer.globalCompositeOperation = "source-over";
-  layer.clearRect(0, 0, frame.width, frame.height);
+  layer.clearRect(left, top, across, down);
   layer.lineJoin = "round";
   layer.lineWidth = width;
   layer.beginPath();
@@ -81,8 +87,31 @@ export function strokeColoured(
   layer.lineWidth = width + 2;
   layer.lineCap = "round";
   for (const loop of loops) layColours(layer, frame, loop, colours);
-  const { width: across, height: down } = frame;
-  context.drawImage(layer.canvas, 0, 0, across, down, 0, 0, across, down);
+  context.drawImage(layer.canvas, left, top, across, down, left, top, across, down);
+}
+
+/** Left, top, width and height of what the loops' strokes cover of the canvas, whole device pixels. */
+function extent(frame: Frame, loops: readonly ColouredLoop[], stroke: number): [number, number, number, number] {
+  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const { points } of loops) {
+    for (let i = 0; i < points.length; i += 2) {
+      const x = pixelX(frame, points[i]);
+      const y = pixelY(frame, points[i + 1]);
+      if (x < left) left = x;
+      if (x > right) right = x;
+      if (y < top) top = y;
+      if (y > bottom) bottom = y;
+    }
+  }
+  const around = stroke + 2;
+  left = Math.max(0, Math.floor(left - around));
+  top = Math.max(0, Math.floor(top - around));
+  return [
+    left,
+    top,
+    Math.min(frame.width, Math.ceil(right + around)) - left,
+    Math.min(frame.height, Math.ceil(bottom + around)) - top,
+  ];
 }
 
 function layColours(
@@ -94,7 +123,7 @@ function layColours(
   const count = loop.parts.length;
   let colour = "";
   for (let i = 0; i < count; i += 1) {
-    const next = onCycle(colours, loop.parts[i]);
+    const next = onCycle(colours, Math.floor(loop.parts[i] * PIECES) / PIECES);
     if (next !== colour) {
       if (colour) layer.stroke();
       colour = next;

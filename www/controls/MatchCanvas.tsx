@@ -87,6 +87,7 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
       role="img"
       tabIndex={0}
       aria-label={label}
+      aria-describedby="result-keys"
       class="result"
       onPointerMove={point}
       onPointerDown={point}

@@ -67,4 +67,37 @@ impl<const D: usize> StencilOperator<D> {
     pub fn block_mut(&mut self, node: usize, neighbour: usize) -> &mut [f32] {
         &mut self.blocks[node * Self::ROW + neighbour * Self::BLOCK..][..Self::BLOCK]
     }
+
+    /// The mean of all diagonal entries.
+    pub fn mean_diagonal(&self) -> f32 {
+        let sum: f64 = self
+            .blocks
+            .chunks_exact(Self::ROW)
+            .map(|row| (0..D).map(|k| f64::from(row[Self::CENTRE * Self::BLOCK + k * (D + 1)])).sum::<f64>())
+            .sum();
+        (sum / (self.grid.node_count() * D) as f64) as f32
+    }
+
+    /// Adds to every diagonal entry.
+    pub fn add_to_diagonal(&mut self, amount: f32) {
+        for row in self.blocks.chunks_exact_mut(Self::ROW) {
+            for k in 0..D {
+                row[Self::CENTRE * Self::BLOCK + k * (D + 1)] += amount;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_diagonal_is_the_centre_blocks_own() {
+        let mut operator = StencilOperator::<3>::zero(Grid::new(2));
+        operator.add_to_diagonal(2.0);
+        operator.block_mut(0, StencilOperator::<3>::CENTRE)[1] = 7.0;
+        assert_eq!(operator.mean_diagonal(), 2.0);
+        assert_eq!(operator.blocks().iter().sum::<f32>(), 7.0 + 2.0 * 27.0 * 3.0);
+    }
 }

@@ -68,31 +68,6 @@ impl<const D: usize> Newton<D> {
         self.progress = None;
     }
 
-    /// Adds to every diagonal entry.
-    fn add_to_diagonal(&mut self, amount: f32) {
-        let operator = self.multigrid.operator_mut();
-        let centre = crate::stencil::StencilOperator::<D>::CENTRE;
-        for node in 0..operator.grid().node_count() {
-            let block = operator.block_mut(node, centre);
-            for k in 0..D {
-                block[k * D + k] += amount;
-            }
-        }
-    }
-
-    fn mean_diagonal(&mut self) -> f32 {
-        let operator = self.multigrid.operator_mut();
-        let centre = crate::stencil::StencilOperator::<D>::CENTRE;
-        let nodes = operator.grid().node_count();
-        let sum: f64 = (0..nodes)
-            .map(|node| {
-                let block = operator.block_mut(node, centre);
-                (0..D).map(|k| f64::from(block[k * D + k])).sum::<f64>()
-            })
-            .sum();
-        (sum / (nodes * D) as f64) as f32
-    }
-
     /// Solves for the direction and goes along it: the whole step, or halved until the energy falls enough. None, and
     /// nothing has moved, if it does not. `gradient` holds ∇E.
     async fn advance(
@@ -157,12 +132,15 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
             let operator = self.multigrid.operator_mut();
             let before = assembler.curvature(&self.displacement, &mut self.gradient, operator).await;
             progress.evaluation = before;
-            let mean = self.mean_diagonal();
+            let mut mean = None;
             let mut added = 0.0;
             while moved.is_none() && self.shift <= LAST_SHIFT {
-                let wanted = self.shift * mean;
-                self.add_to_diagonal(wanted - added);
-                added = wanted;
+                if self.shift > 0.0 {
+                    let wanted =
+                        self.shift * *mean.get_or_insert_with(|| self.multigrid.operator_mut().mean_diagonal());
+                    self.multigrid.operator_mut().add_to_diagonal(wanted - added);
+                    added = wanted;
+                }
                 self.multigrid.prepare();
                 moved = self.advance(assembler, before, &mut progress).await;
                 if moved.is_none() {

@@ -9,6 +9,7 @@ mod padded;
 
 use crate::grid::Grid;
 use crate::stencil::StencilOperator;
+use galerkin::Routes;
 use padded::Layout;
 
 /// Cells a side of the grid that is solved directly.
@@ -18,6 +19,7 @@ const COARSEST_CELLS: usize = 2;
 pub struct Multigrid<const D: usize> {
     /// Finest first.
     levels: Vec<Level<D>>,
+    routes: Routes<D>,
     direct: Cholesky,
     search: Vec<f32>,
     image: Vec<f32>,
@@ -58,6 +60,7 @@ impl<const D: usize> Multigrid<D> {
         let unknowns = Grid::<D>::new(COARSEST_CELLS).node_count() * D;
         Self {
             levels,
+            routes: Routes::new(),
             direct: Cholesky::new(unknowns),
             search: zero.clone(),
             image: zero.clone(),
@@ -77,7 +80,7 @@ impl<const D: usize> Multigrid<D> {
             let (finer, coarser) = self.levels.split_at_mut(fine + 1);
             finer[fine].invert_diagonal();
             if let Some(coarse) = coarser.first_mut() {
-                galerkin::coarsen(&finer[fine].operator, &mut coarse.operator);
+                self.routes.coarsen(&finer[fine].operator, &mut coarse.operator);
             }
         }
         self.direct.factor(&self.levels[self.levels.len() - 1].operator);

@@ -2,25 +2,13 @@
 
 use crate::stencil::StencilOperator;
 
-/// Overwrites `coarse` with Pᵀ · `fine` · P.
-///
-/// A fine node at offset o ∈ {−1,0,1}^D from a coarse node belongs to it by the share 2^(−|o|). The row of each such
-/// node is passed on to the coarse nodes around, by the same shares.
-pub(super) fn coarsen<const D: usize>(fine: &StencilOperator<D>, coarse: &mut StencilOperator<D>) {
-    match D {
-        2 => coarsen_blocks::<D, 4, 9>(fine, coarse),
-        3 => coarsen_blocks::<D, 9, 27>(fine, coarse),
-        _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
-    }
-}
-
 /// With B = D² numbers a block and N = 3^D blocks a row, so that a row is summed in registers.
 fn coarsen_blocks<const D: usize, const B: usize, const N: usize>(
+    routes: &Routes<D>,
     fine: &StencilOperator<D>,
     coarse: &mut StencilOperator<D>,
 ) {
     let (fine_grid, grid) = (fine.grid(), coarse.grid());
-    let routes = Routes::<D>::new();
     let (sources, _) = fine.blocks().as_chunks::<B>();
     let (targets, _) = coarse.blocks_mut().as_chunks_mut::<B>();
     for (node, target) in targets.chunks_exact_mut(N).enumerate() {
@@ -51,12 +39,25 @@ struct Route {
     share: f32,
 }
 
-struct Routes<const D: usize> {
+/// How the rows around a coarse node make up its own.
+///
+/// A fine node at offset o ∈ {−1,0,1}^D from a coarse node belongs to it by the share 2^(−|o|). The row of each such
+/// node is passed on to the coarse nodes around, by the same shares.
+pub(super) struct Routes<const D: usize> {
     by_offset: Vec<([isize; D], Vec<Route>)>,
 }
 
 impl<const D: usize> Routes<D> {
-    fn new() -> Self {
+    /// Overwrites `coarse` with Pᵀ · `fine` · P.
+    pub fn coarsen(&self, fine: &StencilOperator<D>, coarse: &mut StencilOperator<D>) {
+        match D {
+            2 => coarsen_blocks::<D, 4, 9>(self, fine, coarse),
+            3 => coarsen_blocks::<D, 9, 27>(self, fine, coarse),
+            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
+        }
+    }
+
+    pub fn new() -> Self {
         let by_offset = (0..StencilOperator::<D>::NEIGHBOURS)
             .map(|own| {
                 let offset = StencilOperator::<D>::offset(own);

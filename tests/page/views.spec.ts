@@ -47,7 +47,7 @@ test("every view paints the match in its own way, with a legend for its colours"
 
 test("the picture that is carried along can be the user's own; what is none is refused", async ({ page }) => {
   await matched(page);
-  await picker(page).selectOption("Picture, carried along");
+  await picker(page).selectOption("Image carried");
   const pixels = () => result(page).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
   const pattern = await pixels();
   const red = Buffer.from(
@@ -107,7 +107,7 @@ for (const width of [390, 1280]) {
   test(`at ${width} pixels no view or legend makes the page scroll sideways`, async ({ page }) => {
     await page.setViewportSize({ width, height: 800 });
     await matched(page);
-    for (const label of ["Stretch", "Picture, carried along", "Mismatch"]) {
+    for (const label of ["Stretch", "Image carried", "Mismatch"]) {
       await picker(page).selectOption(label);
       await expect(page.locator(".legend")).toBeVisible();
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);

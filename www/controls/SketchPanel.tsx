@@ -84,7 +84,8 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
 
   const point = (event: PointerEvent) => {
     const loops = session.match.value?.curves.reference;
-    if (!canvas.current || !loops || event.buttons !== 0) return;
+    // While the solver works, points come and go with every frame, and the hand is to be answered first.
+    if (!canvas.current || !loops || event.buttons !== 0 || session.phase.value === "solving") return;
     const box = canvas.current.getBoundingClientRect();
     const x = (event.clientX - box.left) / box.width;
     const y = (box.bottom - event.clientY) / box.height;

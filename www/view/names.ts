@@ -4,8 +4,8 @@ export type View = "grid" | "image" | "pullback" | "stretch" | "determinant" | "
 
 export const VIEWS: readonly { readonly view: View; readonly label: string; readonly help: string }[] = [
   { view: "grid", label: "Grid", help: "" },
-  { view: "image", label: "Picture, carried along", help: "Each point of the picture goes where φ takes it." },
-  { view: "pullback", label: "Picture, pulled back", help: "Each point shows what the picture has where φ takes it." },
+  { view: "image", label: "Image carried", help: "Each point of the picture goes where φ takes it." },
+  { view: "pullback", label: "Image pulled back", help: "Each point shows what the picture has where φ takes it." },
   { view: "stretch", label: "Stretch", help: "Length after over length before, along the matched curve." },
   { view: "determinant", label: "Area ratio", help: "Area after over area before, det Dφ." },
   {

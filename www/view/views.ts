@@ -21,6 +21,9 @@ export type ViewScene = {
   readonly picture: Picture;
 };
 
+/** Pixels computed a CSS pixel, at most. */
+const FINENESS = 2;
+
 /** Fields with a distance at each node are costly, and smooth: no more cells than this. */
 const FIELD_CELLS = 64;
 
@@ -126,14 +129,8 @@ export function drawView(
   }
   context.drawImage(rasterOf(view, context, frame, colours, scene, scale), 0, 0, frame.width, frame.height);
   const inReference = view === "pullback";
-  outline(
-    context,
-    frame,
-    inReference ? match.curves.reference : match.curves.template,
-    colours.template,
-    4 * ratio,
-    0.7,
-  );
+  const still = inReference ? match.curves.reference : match.curves.template;
+  outline(context, frame, still, inReference ? colours.reference : colours.template, 4 * ratio, 0.7);
   if (inReference) return;
   outline(context, frame, moved, colours.paper, 3.5 * ratio, 0.9);
   outline(context, frame, moved, colours.ink, 1.5 * ratio, 1);
@@ -194,10 +191,11 @@ function rasterOf(
   const key = [view, match.deformation, morph, bandwidth, limit, picture, dark, frame.width];
   const before = painted.get(context.canvas);
   if (before?.key.every((value, i) => value === key[i])) return before.canvas;
-  // CSS pixels, two for a cell at most: the browser's own smoothing does the rest.
-  const width = Math.round(frame.width / frame.ratio);
-  const height = Math.round(frame.height / frame.ratio);
-  const raster: Raster = { ...frame, width, height, scale: frame.scale / frame.ratio };
+  // The eye wants no more than two pixels for a CSS pixel here; the browser's own smoothing does the rest.
+  const coarser = Math.max(1, frame.ratio / FINENESS);
+  const width = Math.round(frame.width / coarser);
+  const height = Math.round(frame.height / coarser);
+  const raster: Raster = { ...frame, width, height, scale: frame.scale / coarser };
   const data = new Uint8ClampedArray(4 * width * height);
   const map = partly(mapOf(match), morph);
   if (view === "image") carried(raster, map, (pixel, x, y) => sample(picture, x, y, data, pixel));

@@ -249,25 +249,15 @@ impl Cholesky {
     }
 
     fn factor<const D: usize>(&mut self, operator: &StencilOperator<D>) {
-        let (n, grid) = (self.unknowns, operator.grid());
+        let n = self.unknowns;
         self.factor.fill(0.0);
-        for node in 0..grid.node_count() {
-            let index = grid.node_index(node);
-            for neighbour in 0..StencilOperator::<D>::NEIGHBOURS {
-                let offset = StencilOperator::<D>::offset(neighbour);
-                let place: [isize; D] = std::array::from_fn(|k| index[k] as isize + offset[k]);
-                if place.iter().any(|&i| i < 0 || i as usize >= grid.side()) {
-                    continue;
-                }
-                let other = grid.node(place.map(|i| i as usize));
-                let block = &operator.blocks()[node * StencilOperator::<D>::ROW + neighbour * D * D..][..D * D];
-                for i in 0..D {
-                    for j in 0..D {
-                        self.factor[(node * D + i) * n + other * D + j] = f64::from(block[i * D + j]);
-                    }
+        operator.for_each_block(|node, other, block| {
+            for i in 0..D {
+                for j in 0..D {
+                    self.factor[(node * D + i) * n + other * D + j] = f64::from(block[i * D + j]);
                 }
             }
-        }
+        });
         let trace: f64 = (0..n).map(|k| self.factor[k * n + k]).sum();
         // The rigid motions that nothing resists have no curvature; f64 rounding would decide their sign.
         let floor = 1e-6 * trace / n as f64 + f64::MIN_POSITIVE;

@@ -62,6 +62,20 @@ impl<const D: usize> StencilOperator<D> {
         })
     }
 
+    /// Calls `visit` with every node, its neighbour's node, and their block by rows, where both are on the grid.
+    pub fn for_each_block(&self, mut visit: impl FnMut(usize, usize, &[f32])) {
+        for (node, row) in self.blocks.chunks_exact(Self::ROW).enumerate() {
+            let index = self.grid.node_index(node);
+            for (neighbour, block) in row.chunks_exact(Self::BLOCK).enumerate() {
+                let offset = Self::offset(neighbour);
+                let place: [isize; D] = std::array::from_fn(|k| index[k] as isize + offset[k]);
+                if place.iter().all(|&i| i >= 0 && (i as usize) < self.grid.side()) {
+                    visit(node, self.grid.node(place.map(|i| i as usize)), block);
+                }
+            }
+        }
+    }
+
     /// The block of `node` and `neighbour`, by rows.
     #[inline(always)]
     pub fn block_mut(&mut self, node: usize, neighbour: usize) -> &mut [f32] {

@@ -43,25 +43,14 @@ fn fill_sobolev<const D: usize>(operator: &mut StencilOperator<D>, beta: f64) {
 
 /// A x by the stencil, f64.
 fn apply<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> Vec<f64> {
-    let grid = operator.grid();
     let mut result = vec![0.0; x.len()];
-    for node in 0..grid.node_count() {
-        let index = grid.node_index(node);
-        for neighbour in 0..StencilOperator::<D>::NEIGHBOURS {
-            let offset = StencilOperator::<D>::offset(neighbour);
-            let place: [isize; D] = std::array::from_fn(|k| index[k] as isize + offset[k]);
-            if place.iter().any(|&i| i < 0 || i as usize >= grid.side()) {
-                continue;
-            }
-            let other = grid.node(place.map(|i| i as usize));
-            let block = &operator.blocks()[node * StencilOperator::<D>::ROW + neighbour * D * D..][..D * D];
-            for i in 0..D {
-                for j in 0..D {
-                    result[node * D + i] += f64::from(block[i * D + j]) * x[other * D + j];
-                }
+    operator.for_each_block(|node, other, block| {
+        for i in 0..D {
+            for j in 0..D {
+                result[node * D + i] += f64::from(block[i * D + j]) * x[other * D + j];
             }
         }
-    }
+    });
     result
 }
 

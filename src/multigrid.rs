@@ -194,10 +194,10 @@ impl<const D: usize> Level<D> {
                 block[i][i] += 1e-6 * trace + f64::MIN_POSITIVE;
             }
             let cof = crate::small::cofactor(&block);
-            let det = crate::small::dot(&block[0], &cof[0]);
+            let inverse_det = 1.0 / crate::small::dot(&block[0], &cof[0]);
             for i in 0..D {
                 for j in 0..D {
-                    inverse[i * D + j] = (cof[j][i] / det) as f32;
+                    inverse[i * D + j] = (cof[j][i] * inverse_det) as f32;
                 }
             }
         }

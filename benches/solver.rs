@@ -6,21 +6,18 @@
 #[path = "kernels/mod.rs"]
 mod kernels;
 
-use kernels::{distances, pairs};
+use kernels::{GAP, assembler_of, distances, lowest, pairs, start_from_65};
 use std::time::Instant;
-use thinshell::assemble::CpuAssembler;
 use thinshell::cascade::Cascade;
 use thinshell::contour::zero_set;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::minimize::{Minimizer, Ncg, Newton};
-use thinshell::prolongation::prolongate;
 use thinshell::ready::ready;
 use thinshell::report::{Report, report};
 use thinshell::settings::{MinimizerKind, Settings};
 
 const RUNS: usize = 5;
-const GAP: f64 = 1e-3;
 
 fn main() {
     println!(
@@ -87,43 +84,9 @@ fn median(values: &mut [f64]) -> f64 {
     values[values.len() / 2]
 }
 
-/// The solution at 65², interpolated to 129².
-fn start_from_65(pair: &[Vec<glam::DVec2>; 2]) -> Vec<f64> {
-    let settings = Settings { finest: 6, ..Settings::default() };
-    let [reference, template] = distances(6, pair);
-    let mut cascade = ready(Cascade::new(reference, template, settings)).expect("valid settings");
-    while ready(cascade.step()).stop.is_none() {}
-    prolongate(cascade.grid(), cascade.displacement())
-}
-
-fn assembler(shapes: &[SignedDistance<2>; 2]) -> CpuAssembler<2> {
-    CpuAssembler::new(&Settings::default().functional(7), &shapes[0], &shapes[1])
-}
-
-/// The least energy that either minimiser reaches with a tight tolerance.
-fn lowest(shapes: &[SignedDistance<2>; 2], start: &[f64]) -> f64 {
-    let mut assembler = assembler(shapes);
-    let grid = Grid::of_level(7);
-    let mut newton = Newton::new(grid, start.to_vec(), 1e-10);
-    let mut ncg = Ncg::new(grid, start.to_vec(), 0.5, 1e-8);
-    let newton = loop {
-        let progress = ready(newton.step(&mut assembler));
-        if progress.stop.is_some() {
-            break progress.evaluation.total();
-        }
-    };
-    let ncg = loop {
-        let progress = ready(ncg.step(&mut assembler));
-        if progress.stop.is_some() {
-            break progress.evaluation.total();
-        }
-    };
-    newton.min(ncg)
-}
-
 /// Milliseconds and iterations to the gap; everything a minimiser prepares counts.
 fn race<M: Minimizer<2>>(shapes: &[SignedDistance<2>; 2], least: f64, make: impl Fn() -> M) -> (f64, usize) {
-    let mut assembler = assembler(shapes);
+    let mut assembler = assembler_of(shapes);
     let begin = Instant::now();
     let mut minimizer = make();
     loop {

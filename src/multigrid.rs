@@ -56,16 +56,16 @@ impl<const D: usize> Multigrid<D> {
             cells /= 2;
             levels.push(Level::new(Grid::new(cells)));
         }
-        let zero = vec![0.0; levels[0].layout.len()];
+        let count = levels[0].layout.len();
         let unknowns = Grid::<D>::new(COARSEST_CELLS).node_count() * D;
         Self {
             levels,
             routes: Routes::new(),
             direct: Cholesky::new(unknowns),
-            search: zero.clone(),
-            image: zero.clone(),
-            residual: zero.clone(),
-            solution: zero,
+            search: vec![0.0; count],
+            image: vec![0.0; count],
+            residual: vec![0.0; count],
+            solution: vec![0.0; count],
         }
     }
 
@@ -169,14 +169,14 @@ impl<const D: usize> Multigrid<D> {
 impl<const D: usize> Level<D> {
     fn new(grid: Grid<D>) -> Self {
         let layout = Layout::new(grid);
-        let zero = vec![0.0; layout.len()];
+        let count = layout.len();
         Self {
             operator: StencilOperator::zero(grid),
             layout,
             inverse: vec![0.0; grid.node_count() * D * D],
-            right: zero.clone(),
-            solution: zero.clone(),
-            residual: zero,
+            right: vec![0.0; count],
+            solution: vec![0.0; count],
+            residual: vec![0.0; count],
         }
     }
 

@@ -44,13 +44,13 @@ pub struct Newton<const D: usize> {
 impl<const D: usize> Newton<D> {
     /// `tolerance` is the relative decrease over three iterations below which the minimiser stops.
     pub fn new(grid: Grid<D>, displacement: Vec<f64>, tolerance: f64) -> Self {
-        let zero = vec![0.0; displacement.len()];
+        let count = displacement.len();
         Self {
             multigrid: Multigrid::new(grid),
             displacement,
-            trial: zero.clone(),
-            gradient: zero.clone(),
-            direction: zero,
+            trial: vec![0.0; count],
+            gradient: vec![0.0; count],
+            direction: vec![0.0; count],
             shift: 0.0,
             settled: false,
             decrease: Decrease::new(WINDOW, tolerance),

@@ -8,7 +8,8 @@ use crate::settings::{MinimizerKind, Settings};
 /// exchange avoids.
 const REFINEMENT: usize = 10;
 
-/// Relative decrease at which levels before the finest end: what they leave over, the next one finds in one step.
+/// Relative decrease at which levels before the finest end: the next one changes the functional, so the last digits of
+/// this one's minimum are not worth their iterations.
 const COARSE_TOLERANCE: f64 = 1e-4;
 
 /// What one level needs.

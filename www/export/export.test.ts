@@ -5,8 +5,9 @@ import { readCsv } from "../shapes/import/csv";
 import { flattened, parsePath } from "../shapes/import/path";
 import { IDENTITY } from "../shapes/import/transform";
 import { PRESETS } from "../shapes/presets";
+import { nearest, stretch } from "../view/along";
 import { CYCLES, type Theme } from "../view/palette";
-import { csv, distance, stretch } from "./csv";
+import { csv } from "./csv";
 import { fileName, type Saving, sceneAt } from "./scene";
 import { svg } from "./svg";
 
@@ -74,8 +75,8 @@ test("the table can be imported as the reference it lists", () => {
 
 test("distances are to edges, not only to points", () => {
   const square = [Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1)];
-  expect(distance(square, 0.5, -0.25)).toBeCloseTo(0.25);
-  expect(distance(square, 2, 2)).toBeCloseTo(Math.SQRT2);
+  expect(nearest(square, 0.5, -0.25)?.distance).toBeCloseTo(0.25);
+  expect(nearest(square, 2, 2)?.distance).toBeCloseTo(Math.SQRT2);
   expect(stretch(square[0], transformed(square, about({ x: 0, y: 0 }, 3, 1))[0], 2)).toBeCloseTo(3);
 });
 
@@ -123,7 +124,8 @@ test("names say what is in a file", () => {
 function hausdorff(a: Loop, b: Loop): number {
   const oneWay = (from: Loop, to: Loop) => {
     let worst = 0;
-    for (let i = 0; i < from.length; i += 2) worst = Math.max(worst, distance([to], from[i], from[i + 1]));
+    for (let i = 0; i < from.length; i += 2)
+      worst = Math.max(worst, nearest([to], from[i], from[i + 1])?.distance ?? Number.POSITIVE_INFINITY);
     return worst;
   };
   return Math.max(oneWay(a, b), oneWay(b, a));

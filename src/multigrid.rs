@@ -2,15 +2,15 @@
 //!
 //! Multilinear prolongation, its transpose as restriction, Galerkin coarse operators, one forward block Gauss–Seidel
 //! sweep before and one backward sweep after the coarse correction: the cycle is symmetric as a whole and so serves as
-//! a preconditioner for conjugate gradients. All in f64: the cycle only has to find a direction.
+//! a preconditioner for conjugate gradients. All in f32: the cycle only has to find a direction.
 
 mod galerkin;
 mod padded;
 
 use crate::grid::Grid;
 use crate::stencil::StencilOperator;
-use galerkin::Routes;
-use padded::Layout;
+use galerkin::Galerkin;
+use padded::{DAMPING, Layout};
 
 /// Cells a side of the grid that is solved directly.
 const COARSEST_CELLS: usize = 2;
@@ -19,7 +19,6 @@ const COARSEST_CELLS: usize = 2;
 pub struct Multigrid<const D: usize> {
     /// Finest first.
     levels: Vec<Level<D>>,
-    routes: Routes<D>,
     direct: Cholesky,
     search: Vec<f32>,
     image: Vec<f32>,
@@ -29,8 +28,10 @@ pub struct Multigrid<const D: usize> {
 
 struct Level<const D: usize> {
     operator: StencilOperator<D>,
+    /// To the next level.
+    galerkin: Galerkin<D>,
     layout: Layout<D>,
-    /// Inverse diagonal blocks by nodes.
+    /// Inverse diagonal blocks by nodes, times the damping.
     inverse: Vec<f32>,
     right: Vec<f32>,
     solution: Vec<f32>,
@@ -60,7 +61,6 @@ impl<const D: usize> Multigrid<D> {
         let unknowns = Grid::<D>::new(COARSEST_CELLS).node_count() * D;
         Self {
             levels,
-            routes: Routes::new(),
             direct: Cholesky::new(unknowns),
             search: vec![0.0; count],
             image: vec![0.0; count],
@@ -80,7 +80,8 @@ impl<const D: usize> Multigrid<D> {
             let (finer, coarser) = self.levels.split_at_mut(fine + 1);
             finer[fine].invert_diagonal();
             if let Some(coarse) = coarser.first_mut() {
-                self.routes.coarsen(&finer[fine].operator, &mut coarse.operator);
+                let finer = &mut finer[fine];
+                finer.galerkin.coarsen(&finer.operator, &mut coarse.operator);
             }
         }
         self.direct.factor(&self.levels[self.levels.len() - 1].operator);
@@ -89,7 +90,7 @@ impl<const D: usize> Multigrid<D> {
     /// Solves A x = b by preconditioned conjugate gradients until the residual has fallen by `tolerance`;
     /// overwrites `x`, D interleaved components a node.
     pub fn solve(&mut self, b: &[f64], tolerance: f64, max_iterations: usize, x: &mut [f64]) -> Solve {
-        // f64 keeps its precision only near 1.
+        // f32 keeps clear of the smallest numbers near 1.
         let scale = b.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         if scale == 0.0 {
             x.fill(0.0);
@@ -150,9 +151,13 @@ impl<const D: usize> Multigrid<D> {
         for fine in 0..last {
             let (finer, coarser) = self.levels.split_at_mut(fine + 1);
             let (level, coarse) = (&mut finer[fine], &mut coarser[0]);
-            level.solution.fill(0.0);
-            level.sweep_forward();
-            level.layout.residual(&level.operator, &level.right, &level.solution, &mut level.residual);
+            level.layout.sweep_from_zero(
+                &level.operator,
+                &level.inverse,
+                &level.right,
+                &mut level.solution,
+                &mut level.residual,
+            );
             level.layout.restrict(&level.residual, &coarse.layout, &mut coarse.right);
         }
         let coarsest = &mut self.levels[last];
@@ -161,7 +166,7 @@ impl<const D: usize> Multigrid<D> {
             let (finer, coarser) = self.levels.split_at_mut(fine + 1);
             let (level, coarse) = (&mut finer[fine], &coarser[0]);
             level.layout.prolongate_add(&coarse.solution, &coarse.layout, &mut level.solution);
-            level.sweep_backward();
+            level.layout.sweep_backward(&level.operator, &level.inverse, &level.right, &mut level.solution);
         }
     }
 }
@@ -172,6 +177,7 @@ impl<const D: usize> Level<D> {
         let count = layout.len();
         Self {
             operator: StencilOperator::zero(grid),
+            galerkin: Galerkin::new(grid),
             layout,
             inverse: vec![0.0; grid.node_count() * D * D],
             right: vec![0.0; count],
@@ -183,7 +189,7 @@ impl<const D: usize> Level<D> {
     fn invert_diagonal(&mut self) {
         let blocks = self.operator.blocks().chunks_exact(StencilOperator::<D>::ROW);
         for (row, inverse) in blocks.zip(self.inverse.chunks_exact_mut(D * D)) {
-            let centre = &row[StencilOperator::<D>::CENTRE * D * D..][..D * D];
+            let centre = &row[..D * D];
             let mut block = [[0.0; D]; D];
             let trace: f64 = (0..D).map(|k| f64::from(centre[k * D + k])).sum();
             for i in 0..D {
@@ -194,7 +200,7 @@ impl<const D: usize> Level<D> {
                 block[i][i] += 1e-6 * trace + f64::MIN_POSITIVE;
             }
             let cof = crate::small::cofactor(&block);
-            let inverse_det = 1.0 / crate::small::dot(&block[0], &cof[0]);
+            let inverse_det = f64::from(DAMPING) / crate::small::dot(&block[0], &cof[0]);
             for i in 0..D {
                 for j in 0..D {
                     inverse[i * D + j] = (cof[j][i] * inverse_det) as f32;
@@ -202,18 +208,10 @@ impl<const D: usize> Level<D> {
             }
         }
     }
-
-    fn sweep_forward(&mut self) {
-        self.layout.sweep::<true>(&self.operator, &self.inverse, &self.right, &mut self.solution);
-    }
-
-    fn sweep_backward(&mut self) {
-        self.layout.sweep::<false>(&self.operator, &self.inverse, &self.right, &mut self.solution);
-    }
 }
 
 fn dot(a: &[f32], b: &[f32]) -> f64 {
-    // Short runs in f64 lanes, their sums in f64: as fast as f64, as exact as needed.
+    // Short runs in f32 lanes, their sums in f64: as fast as f64, as exact as needed.
     let mut total = 0.0;
     for (x, y) in a.chunks(256).zip(b.chunks(256)) {
         let mut sums = [0.0_f32; 8];
@@ -254,7 +252,7 @@ impl Cholesky {
         operator.for_each_block(|node, other, block| {
             for i in 0..D {
                 for j in 0..D {
-                    self.factor[(node * D + i) * n + other * D + j] = f64::from(block[i * D + j]);
+                    self.factor[(node * D + i) * n + other * D + j] = f64::from(block[i][j]);
                 }
             }
         });

@@ -21,7 +21,7 @@ fn fill_sobolev<const D: usize>(operator: &mut StencilOperator<D>, beta: f64) {
     for cell in 0..grid.cell_count() {
         let base = grid.lowest_node(cell);
         for a in 0..Grid::<D>::CORNERS {
-            for b in 0..Grid::<D>::CORNERS {
+            for b in a..Grid::<D>::CORNERS {
                 let mut entry = 0.0;
                 for point in 0..Rule::<D, 3>::POINTS {
                     let local: [f64; D] = std::array::from_fn(|axis| {
@@ -47,7 +47,7 @@ fn apply<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> Vec<f64> {
     operator.for_each_block(|node, other, block| {
         for i in 0..D {
             for j in 0..D {
-                result[node * D + i] += f64::from(block[i * D + j]) * x[other * D + j];
+                result[node * D + i] += f64::from(block[i][j]) * x[other * D + j];
             }
         }
     });

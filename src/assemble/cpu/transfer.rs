@@ -44,19 +44,10 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         for a in 0..Grid::<D>::CORNERS {
             for b in a..Grid::<D>::CORNERS {
                 for lane in 0..T::LANES {
-                    let (first, second) = (node(lane) + offsets[a], node(lane) + offsets[b]);
-                    let block = operator.block_mut(first, self.corner_neighbours[a][b]);
+                    let block = operator.block_mut(node(lane) + offsets[a], self.corner_neighbours[a][b]);
                     for i in 0..D {
                         for j in 0..D {
                             block[i * D + j] += pairs[a][b][i][j].lane(lane) as f32;
-                        }
-                    }
-                    if a != b {
-                        let block = operator.block_mut(second, self.corner_neighbours[b][a]);
-                        for i in 0..D {
-                            for j in 0..D {
-                                block[i * D + j] += pairs[a][b][j][i].lane(lane) as f32;
-                            }
                         }
                     }
                 }

@@ -126,7 +126,7 @@ pub struct Material {
 impl Material {
     /// g, g′ and g″ at x = det A.
     #[inline(always)]
-    fn dilation<S: Scalar>(&self, x: S) -> (S, S, S) {
+    pub(crate) fn dilation<S: Scalar>(&self, x: S) -> (S, S, S) {
         let linear = S::splat((self.lambda - 2.0 * self.mu) / 8.0);
         let inverse = S::splat((self.lambda + 2.0 * self.mu) / 8.0);
         let q = S::splat(1.0) / x;

@@ -1,6 +1,8 @@
 //! The reference assembler: f64, one thread, two cells at a time in the lanes of a register.
 
+mod bilinear;
 mod element;
+mod planar;
 mod shell;
 mod transfer;
 mod volume;
@@ -105,12 +107,20 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             operator.clear();
         }
         let mut energies = Energies::default();
-        let least_determinant = self.volume_pass::<ORDER>(displacement, gradient, &mut energies);
+        let least_determinant = if D == 2 {
+            self.planar_volume_pass::<ORDER>(displacement, gradient, &mut energies)
+        } else {
+            self.volume_pass::<ORDER>(displacement, gradient, &mut energies)
+        };
         if least_determinant > 0.0 {
             self.shell_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
             if let Some(operator) = operator {
                 // The operator is f32, and so may be what goes into it: four cells at a time instead of two.
-                self.volume_curvature_pass::<F32x4, C>(displacement, operator);
+                if D == 2 {
+                    self.planar_curvature_pass::<F32x4, C>(displacement, operator);
+                } else {
+                    self.volume_curvature_pass::<F32x4, C>(displacement, operator);
+                }
             }
         }
         Evaluation { energies, least_determinant }

@@ -6,11 +6,13 @@
 
 mod galerkin;
 mod padded;
+mod sweep;
 
 use crate::grid::Grid;
 use crate::stencil::StencilOperator;
 use galerkin::Galerkin;
-use padded::{DAMPING, Layout};
+use padded::{Layout, Nodes};
+use sweep::DAMPING;
 
 /// Cells a side of the grid that is solved directly.
 const COARSEST_CELLS: usize = 2;
@@ -20,10 +22,10 @@ pub struct Multigrid<const D: usize> {
     /// Finest first.
     levels: Vec<Level<D>>,
     direct: Cholesky,
-    search: Vec<f32>,
-    image: Vec<f32>,
-    residual: Vec<f32>,
-    solution: Vec<f32>,
+    search: Vec<[f32; D]>,
+    image: Vec<[f32; D]>,
+    residual: Vec<[f32; D]>,
+    solution: Vec<[f32; D]>,
 }
 
 struct Level<const D: usize> {
@@ -32,10 +34,10 @@ struct Level<const D: usize> {
     galerkin: Galerkin<D>,
     layout: Layout<D>,
     /// Inverse diagonal blocks by nodes, times the damping.
-    inverse: Vec<f32>,
-    right: Vec<f32>,
-    solution: Vec<f32>,
-    residual: Vec<f32>,
+    inverse: Vec<[[f32; D]; D]>,
+    right: Vec<[f32; D]>,
+    solution: Vec<[f32; D]>,
+    residual: Vec<[f32; D]>,
 }
 
 /// How a solve went.
@@ -62,10 +64,10 @@ impl<const D: usize> Multigrid<D> {
         Self {
             levels,
             direct: Cholesky::new(unknowns),
-            search: vec![0.0; count],
-            image: vec![0.0; count],
-            residual: vec![0.0; count],
-            solution: vec![0.0; count],
+            search: vec![[0.0; D]; count],
+            image: vec![[0.0; D]; count],
+            residual: vec![[0.0; D]; count],
+            solution: vec![[0.0; D]; count],
         }
     }
 
@@ -98,7 +100,7 @@ impl<const D: usize> Multigrid<D> {
         }
         let layout = self.levels[0].layout;
         layout.store(b, 1.0 / scale, &mut self.residual);
-        self.solution.fill(0.0);
+        self.solution.fill([0.0; D]);
         self.precondition();
         self.search.copy_from_slice(&self.levels[0].solution);
         let mut square = dot(&self.residual, &self.search);
@@ -123,7 +125,8 @@ impl<const D: usize> Multigrid<D> {
             self.precondition();
             let next = dot(&self.residual, &self.levels[0].solution);
             let gamma = (next / square) as f32;
-            for (s, z) in self.search.iter_mut().zip(&self.levels[0].solution) {
+            let directions = self.search.as_flattened_mut().iter_mut();
+            for (s, z) in directions.zip(self.levels[0].solution.as_flattened()) {
                 *s = z + gamma * *s;
             }
             square = next;
@@ -179,16 +182,16 @@ impl<const D: usize> Level<D> {
             operator: StencilOperator::zero(grid),
             galerkin: Galerkin::new(grid),
             layout,
-            inverse: vec![0.0; grid.node_count() * D * D],
-            right: vec![0.0; count],
-            solution: vec![0.0; count],
-            residual: vec![0.0; count],
+            inverse: vec![[[0.0; D]; D]; grid.node_count()],
+            right: vec![[0.0; D]; count],
+            solution: vec![[0.0; D]; count],
+            residual: vec![[0.0; D]; count],
         }
     }
 
     fn invert_diagonal(&mut self) {
         let blocks = self.operator.blocks().chunks_exact(StencilOperator::<D>::ROW);
-        for (row, inverse) in blocks.zip(self.inverse.chunks_exact_mut(D * D)) {
+        for (row, inverse) in blocks.zip(&mut self.inverse) {
             let centre = &row[..D * D];
             let mut block = [[0.0; D]; D];
             let trace: f64 = (0..D).map(|k| f64::from(centre[k * D + k])).sum();
@@ -203,14 +206,15 @@ impl<const D: usize> Level<D> {
             let inverse_det = f64::from(DAMPING) / crate::small::dot(&block[0], &cof[0]);
             for i in 0..D {
                 for j in 0..D {
-                    inverse[i * D + j] = (cof[j][i] * inverse_det) as f32;
+                    inverse[i][j] = (cof[j][i] * inverse_det) as f32;
                 }
             }
         }
     }
 }
 
-fn dot(a: &[f32], b: &[f32]) -> f64 {
+fn dot<const D: usize>(a: &Nodes<D>, b: &Nodes<D>) -> f64 {
+    let (a, b) = (a.as_flattened(), b.as_flattened());
     // Short runs in f32 lanes, their sums in f64: as fast as f64, as exact as needed.
     let mut total = 0.0;
     for (x, y) in a.chunks(256).zip(b.chunks(256)) {
@@ -227,8 +231,8 @@ fn dot(a: &[f32], b: &[f32]) -> f64 {
     total
 }
 
-fn add_scaled(a: &mut [f32], s: f32, b: &[f32]) {
-    for (x, y) in a.iter_mut().zip(b) {
+fn add_scaled<const D: usize>(a: &mut Nodes<D>, s: f32, b: &Nodes<D>) {
+    for (x, y) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
         *x += s * y;
     }
 }
@@ -274,7 +278,7 @@ impl Cholesky {
         }
     }
 
-    fn solve<const D: usize>(&mut self, layout: Layout<D>, right: &[f32], solution: &mut [f32]) {
+    fn solve<const D: usize>(&mut self, layout: Layout<D>, right: &Nodes<D>, solution: &mut Nodes<D>) {
         let n = self.unknowns;
         layout.load(right, 1.0, &mut self.vector);
         for row in 0..n {

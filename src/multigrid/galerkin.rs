@@ -211,18 +211,19 @@ mod tests {
 
         let (layout, coarse_layout) = (Layout::new(fine), Layout::new(coarse));
         let values: Vec<f64> = (0..coarse.node_count() * D).map(|k| (0.7 * k as f64).sin()).collect();
-        let mut small = vec![0.0; coarse_layout.len()];
-        let (mut large, mut image) = (vec![0.0; layout.len()], vec![0.0; layout.len()]);
+        let mut small = vec![[0.0; D]; coarse_layout.len()];
+        let (mut large, mut image) = (vec![[0.0; D]; layout.len()], vec![[0.0; D]; layout.len()]);
         coarse_layout.store(&values, 1.0, &mut small);
         layout.prolongate_add(&small, &coarse_layout, &mut large);
         layout.apply(&operator, &large, &mut image);
-        let mut expected = vec![0.0; coarse_layout.len()];
+        let mut expected = vec![[0.0; D]; coarse_layout.len()];
         layout.restrict(&image, &coarse_layout, &mut expected);
-        let mut found = vec![0.0; coarse_layout.len()];
+        let mut found = vec![[0.0; D]; coarse_layout.len()];
         coarse_layout.apply(&coarsened, &small, &mut found);
+        let (expected, found) = (expected.as_flattened(), found.as_flattened());
         let size = expected.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
         assert!(size > 0.1);
-        for (a, b) in expected.iter().zip(&found) {
+        for (a, b) in expected.iter().zip(found) {
             assert!((a - b).abs() < 1e-5 * size, "{a} is not {b}");
         }
     }

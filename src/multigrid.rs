@@ -23,8 +23,6 @@ pub struct Multigrid<const D: usize> {
     levels: Vec<Level<D>>,
     direct: Cholesky,
     search: Vec<[f32; D]>,
-    image: Vec<[f32; D]>,
-    residual: Vec<[f32; D]>,
     solution: Vec<[f32; D]>,
 }
 
@@ -61,14 +59,7 @@ impl<const D: usize> Multigrid<D> {
         }
         let count = levels[0].layout.len();
         let unknowns = Grid::<D>::new(COARSEST_CELLS).node_count() * D;
-        Self {
-            levels,
-            direct: Cholesky::new(unknowns),
-            search: vec![[0.0; D]; count],
-            image: vec![[0.0; D]; count],
-            residual: vec![[0.0; D]; count],
-            solution: vec![[0.0; D]; count],
-        }
+        Self { levels, direct: Cholesky::new(unknowns), search: vec![[0.0; D]; count], solution: vec![[0.0; D]; count] }
     }
 
     /// The finest operator, to be filled before [`prepare`](Self::prepare).
@@ -98,47 +89,43 @@ impl<const D: usize> Multigrid<D> {
             x.fill(0.0);
             return Solve { iterations: 0, relative_residual: 0.0 };
         }
+        // A cycle leaves the right side alone: there the residual stays. Between cycles their scratch holds A·search.
         let layout = self.levels[0].layout;
-        layout.store(b, 1.0 / scale, &mut self.residual);
+        layout.store(b, 1.0 / scale, &mut self.levels[0].right);
         self.solution.fill([0.0; D]);
-        self.precondition();
+        self.cycle();
         self.search.copy_from_slice(&self.levels[0].solution);
-        let mut square = dot(&self.residual, &self.search);
-        let first = dot(&self.residual, &self.residual);
+        let mut square = dot(&self.levels[0].right, &self.search);
+        let first = dot(&self.levels[0].right, &self.levels[0].right);
         let mut rest = first;
         let mut iterations = 0;
         while iterations < max_iterations {
-            layout.apply(&self.levels[0].operator, &self.search, &mut self.image);
-            let curvature = dot(&self.search, &self.image);
+            let Level { operator, right: residual, residual: image, .. } = &mut self.levels[0];
+            layout.apply(operator, &self.search, image);
+            let curvature = dot(&self.search, image);
             // No curvature left along the search direction: f32 is at its end, or the operator is singular there.
             if !(curvature > 0.0 && square.is_finite()) {
                 break;
             }
             let step = (square / curvature) as f32;
             add_scaled(&mut self.solution, step, &self.search);
-            add_scaled(&mut self.residual, -step, &self.image);
+            add_scaled(residual, -step, image);
             iterations += 1;
-            rest = dot(&self.residual, &self.residual);
+            rest = dot(residual, residual);
             if rest <= tolerance * tolerance * first {
                 break;
             }
-            self.precondition();
-            let next = dot(&self.residual, &self.levels[0].solution);
+            self.cycle();
+            let Level { right: residual, solution, .. } = &self.levels[0];
+            let next = dot(residual, solution);
             let gamma = (next / square) as f32;
-            let directions = self.search.as_flattened_mut().iter_mut();
-            for (s, z) in directions.zip(self.levels[0].solution.as_flattened()) {
+            for (s, z) in self.search.as_flattened_mut().iter_mut().zip(solution.as_flattened()) {
                 *s = z + gamma * *s;
             }
             square = next;
         }
         layout.load(&self.solution, scale, x);
         Solve { iterations, relative_residual: (rest / first).sqrt() }
-    }
-
-    /// One V-cycle on the residual, from zero, into the finest level's solution.
-    fn precondition(&mut self) {
-        self.levels[0].right.copy_from_slice(&self.residual);
-        self.cycle();
     }
 
     /// One V-cycle for A x = b from x = 0: `b` and `x` with D interleaved components a node.
@@ -149,6 +136,7 @@ impl<const D: usize> Multigrid<D> {
         layout.load(&self.levels[0].solution, 1.0, x);
     }
 
+    /// One V-cycle from zero on the finest level's right side, into its solution.
     fn cycle(&mut self) {
         let last = self.levels.len() - 1;
         for fine in 0..last {

@@ -191,28 +191,35 @@ impl<const D: usize> TemplateField<D> {
     /// Hessian keeps its value at the nearest point of the box: extrapolated second derivatives grow wild.
     #[inline(always)]
     pub fn sample<S: Scalar, const ORDER: u8>(&self, point: &Vector<S, D>) -> TemplateJet<S, D> {
+        let (zero, one) = (S::zero(), S::splat(1.0));
+        let cells = S::splat(self.grid.cells() as f64);
+        let last = cells - S::splat(0.5);
         let mut base = [0; 2];
-        let mut locals = [[0.0; D]; 2];
-        let mut outside = false;
-        for lane in 0..S::LANES {
-            let (cell, local) = self.grid.locate(&point.map(|x| x.lane(lane)));
-            base[lane] = self.grid.node(cell);
-            locals[lane] = local;
-            outside |= local.iter().any(|x| !(0.0..=1.0).contains(x));
+        let mut local = [zero; D];
+        let mut beyond = zero;
+        for axis in (0..D).rev() {
+            let scaled = point[axis] * cells;
+            // Rounded down this is the cell, the last one for its upper end.
+            let held = scaled.max(zero).min(last);
+            let index = |lane| held.lane(lane) as i32;
+            for (lane, base) in base.iter_mut().enumerate().take(S::LANES) {
+                *base = *base * self.grid.side() + index(lane) as usize;
+            }
+            local[axis] = scaled - S::gather(|lane| f64::from(index(lane)));
+            beyond += local[axis].max(one) - one - local[axis].min(zero);
         }
-        let local: Vector<S, D> = std::array::from_fn(|axis| S::gather(|lane| locals[lane][axis]));
+        // Not a number is beyond, too.
+        let outside = beyond.sum() != 0.0;
         let weights = CornerWeights::at(&local);
         let (clamped, inside) = if outside {
             let inside = std::array::from_fn(|axis| {
-                S::gather(|lane| if (0.0..=1.0).contains(&locals[lane][axis]) { 1.0 } else { 0.0 })
+                S::gather(|lane| if (0.0..=1.0).contains(&local[axis].lane(lane)) { 1.0 } else { 0.0 })
             });
-            (CornerWeights::at(&local.map(|x| x.max(S::zero()).min(S::splat(1.0)))), inside)
+            (CornerWeights::at(&local.map(|x| x.max(zero).min(one))), inside)
         } else {
-            (weights, [S::splat(1.0); D])
+            (weights, [one; D])
         };
 
-        let zero = S::zero();
-        let cells = S::splat(self.grid.cells() as f64);
         let mut jet = TemplateJet {
             distance: zero,
             gradient: [zero; D],

@@ -1,7 +1,8 @@
 // `npm run bench:live`: how soon the match follows the hand. Builds the page, opens it in headless Chromium, switches
 // Live on and drags a point of a curve along a path with mouse events at some 60 a second. Prints, for each example,
 // median, 95th percentile and maximum of the page's own measure "live-frame": from the event's time stamp to the end of
-// the drawing of the frame that was computed from it, at 65 × 65 nodes. `-- --json` prints only the line for machines.
+// the drawing of the frame that was computed from it, at 65 × 65 nodes. Then the delay of mouse events while a long match
+// runs: from their time stamp to the page's handler. `-- --json` prints only the line for machines.
 
 import { buildPage } from "../scripts/build.mjs";
 import { chromiumFlags, ensureChromium } from "../scripts/lib/chromium.mjs";
@@ -26,14 +27,19 @@ await main(async () => {
   const server = await preview({ root, logLevel: "warn", preview: { port: PORT, strictPort: true } });
   const browser = await chromium.launch({ executablePath, args: chromiumFlags() });
   const rows = [];
+  let delay;
   try {
     for (const example of EXAMPLES) rows.push(await dragged(browser, example));
+    delay = await whileSolving(browser);
   } finally {
     await browser.close();
     await server.close();
   }
-  if (!process.argv.includes("--json")) console.table(rows);
-  console.log(JSON.stringify({ rows }));
+  if (!process.argv.includes("--json")) {
+    console.table(rows);
+    console.table([{ "input delay while solving": "", ...delay }]);
+  }
+  console.log(JSON.stringify({ rows, delay }));
 });
 
 /**
@@ -78,18 +84,45 @@ async function dragged(browser, example) {
   const frames = (await page.evaluate(() => Reflect.get(window, "frames"))).sort((a, b) => a - b);
   await page.close();
   if (frames.length === 0) throw new Obstacle(`No frame of “${example}” followed the hand.`);
-  const quantile = (part) => Number(frames[Math.min(frames.length - 1, Math.floor(part * frames.length))].toFixed(1));
   return {
     example,
     events: EVENTS,
     "events a second": Number((EVENTS / seconds).toFixed(1)),
     frames: frames.length,
-    "median ms": quantile(0.5),
-    "95 % ms": quantile(0.95),
-    "max ms": quantile(1),
+    ...quantiles(frames),
     "frames over 100 ms": frames.filter((millis) => millis > 100).length,
     "largest distance after release, cells": Number(mismatch.toFixed(3)),
   };
+}
+
+/** @param {readonly number[]} sorted */
+function quantiles(sorted) {
+  const quantile = (part) => Number(sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))].toFixed(1));
+  return { "median ms": quantile(0.5), "95 % ms": quantile(0.95), "max ms": quantile(1) };
+}
+
+/** @param {import("@playwright/test").Browser} browser */
+async function whileSolving(browser) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  await page.goto(`http://localhost:${PORT}/#v=1&preset=clover&finest=8&minimizer=ncg`);
+  const surface = page.getByRole("application", { name: "Reference shape" });
+  await surface.evaluate((element) => {
+    const delays = [];
+    Reflect.set(window, "delays", delays);
+    element.addEventListener("pointermove", (event) => delays.push(performance.now() - event.timeStamp));
+  });
+  const box = await surface.boundingBox();
+  if (!box) throw new Obstacle("The reference's surface is not on the page.");
+  await page.getByRole("button", { name: "Match", exact: true }).click();
+  for (let i = 0; i < EVENTS; i += 1) {
+    await page.mouse.move(box.x + 20 + 0.8 * i, box.y + 40 + 0.5 * i);
+    await new Promise((resolve) => setTimeout(resolve, EVENT_MILLIS));
+  }
+  if ((await page.getByRole("progressbar").count()) === 0)
+    throw new Obstacle("The match ended before the measurement.");
+  const delays = (await page.evaluate(() => Reflect.get(window, "delays"))).sort((a, b) => a - b);
+  await page.close();
+  return { events: delays.length, ...quantiles(delays) };
 }
 
 /** The template's rightmost painted pixel, as parts of the surface, y up: a point of its curve. */

@@ -22,9 +22,12 @@ export async function value(page: Page, name: string): Promise<number> {
   return Number(text);
 }
 
-/** Waits for the end of the run. */
+/** Waits for the end of the run and for its last picture. */
 export async function finished(page: Page): Promise<void> {
   await expect(page.getByRole("status").locator('data[data-name="mismatch-max"]')).toBeVisible({ timeout: 45_000 });
+  await page.evaluate(
+    () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(null)))),
+  );
 }
 
 /** Draws through the points (parts of the surface, y up) with the mouse. */

@@ -81,7 +81,7 @@ export const crumplingExperiment: Experiment = {
         ),
       },
       text(
-        "Why: W_mem punishes compression and W_vol shrinking of area, while within half a cell of the small circle the curve may wander at no cost. A wave of that amplitude keeps the length. At a ratio of 1.2 plain shrinking is still the cheaper way. Bending takes only a little off the excess: δ³ is small beside δ, and the waves are as short as the grid allows. The lengths also show what the mismatch cannot: a curve half a cell off everywhere may be half as long again as it should be.",
+        "Why: W_mem punishes compression and W_vol shrinking of area, while within half a cell of the small circle the curve may wander at no cost. A wave of that amplitude keeps the length. At a ratio of 1.2 plain shrinking is still the cheaper way. Bending takes some of the excess off, not most of it: δ³ is small beside δ, and the waves are as short as the grid allows. The lengths also show what the mismatch cannot: a curve half a cell off everywhere may be half as long again as it should be.",
       ),
     ];
   },

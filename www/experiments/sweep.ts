@@ -29,13 +29,13 @@ export const SWEEPS: readonly Sweep[] = [
     name: "σ",
     field: "bandwidth",
     values: [0.03, 0.05, 0.1, 0.2],
-    see: "Where the search gets through, the width of the band hardly changes the matched curve. But all offset curves within the band resist stretching like the curve itself, so a wide one brings more of the plane close to folding, and the search may get stuck there.",
+    see: "The width of the band hardly changes the matched curve. But all offset curves within the band resist stretching like the curve itself, so a wide one brings more of the plane close to folding.",
   },
   {
     name: "ξ",
     field: "volume",
     values: [1e-5, 1e-4, 1e-3, 1e-2, 1e-1],
-    see: "The volume term keeps the plane in one piece: more of it keeps the cells further from folding, while the curve hardly notices.",
+    see: "The volume term keeps the plane in one piece: more of it keeps the cells further from folding, while the curve hardly notices. With next to none the search may come to rest against folds before it has arrived.",
   },
   {
     name: "θ",

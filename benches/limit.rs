@@ -147,28 +147,33 @@ fn nanoseconds(run: &mut impl FnMut()) -> f64 {
     start.elapsed().as_secs_f64() * 1e9
 }
 
-/// The same numbers of operations on eight independent pairs of lanes.
+/// The same numbers of operations on independent pairs of lanes, divisions among the others: they have a unit of their own.
 fn plain_loop(cells: f64, sums: f64, products: f64, quotients: f64) {
+    const CHAINS: usize = 12;
     let one = F64x2::splat(std::hint::black_box(1.000_000_1));
-    let mut chains: [F64x2; 8] = std::array::from_fn(|k| F64x2::splat(1.0 + k as f64));
-    let lanes = F64x2::LANES as f64 * 8.0;
-    let pairs = (cells * sums.min(products) / lanes) as usize;
-    let rest = (cells * (sums - products).abs() / lanes) as usize;
+    let mut chains: [F64x2; CHAINS] = std::array::from_fn(|k| F64x2::splat(1.0 + k as f64));
+    let mut divided: [F64x2; 4] = std::array::from_fn(|k| F64x2::splat(1.5 + k as f64));
+    let lanes = F64x2::LANES as f64;
     let divisions = (cells * quotients / lanes) as usize;
-    for _ in 0..pairs {
-        for chain in &mut chains {
-            *chain = *chain * one + one;
+    let pairs = (cells * sums.min(products) / lanes) as usize / CHAINS;
+    let rest = (cells * (sums - products).abs() / lanes) as usize / CHAINS;
+    let (mut pairs_due, mut rest_due) = (0, 0);
+    for division in 0..divisions {
+        (pairs_due, rest_due) = (pairs_due + pairs, rest_due + rest);
+        while pairs_due >= divisions {
+            pairs_due -= divisions;
+            for chain in &mut chains {
+                *chain = *chain * one + one;
+            }
         }
-    }
-    for _ in 0..rest {
-        for chain in &mut chains {
-            *chain += one;
+        while rest_due >= divisions {
+            rest_due -= divisions;
+            for chain in &mut chains {
+                *chain = *chain * one;
+            }
         }
+        let quotient = &mut divided[division % 4];
+        *quotient = one / *quotient;
     }
-    for _ in 0..divisions {
-        for chain in &mut chains {
-            *chain = one / *chain;
-        }
-    }
-    std::hint::black_box(chains);
+    std::hint::black_box((chains, divided));
 }

@@ -35,9 +35,33 @@ test("a picture for print", async ({ page }) => {
   expect(name).toBe("thinshell-match-65x65.png");
   expect(buffer.subarray(1, 4).toString()).toBe("PNG");
   expect([buffer.readUInt32BE(16), buffer.readUInt32BE(20)]).toEqual([2400, 2400]);
-  const shown = await page.evaluate(async (content) => {
+  const shown = await inked(page, buffer);
+  expect(shown.colours).toBeGreaterThan(300);
+  expect(shown.part).toBeGreaterThan(0.1);
+  expect(shown.part).toBeLessThan(0.9);
+});
+
+test("the picture and the film are of the view that is chosen", async ({ page }) => {
+  await page.goto(PLAIN);
+  await match(page);
+  const grid = await inked(page, (await save(page, "Picture (PNG)")).buffer);
+  const gridFilm = (await save(page, "Morph as GIF")).buffer;
+  await page.getByLabel("View", { exact: true }).selectOption("Image carried");
+  await expect(page.locator(".legend")).toBeVisible();
+  const image = await inked(page, (await save(page, "Picture (PNG)")).buffer);
+  // The carried picture covers the box, the grid lets the paper through.
+  expect(image.part).toBeGreaterThan(0.75);
+  expect(image.part).toBeGreaterThan(grid.part + 0.1);
+  const film = (await save(page, "Morph as GIF")).buffer;
+  expect(film.equals(gridFilm)).toBe(false);
+  expect((await inked(page, film)).part).toBeGreaterThan(0.75);
+});
+
+/** Colours of a picture, and the part that has another one than its first pixel. */
+function inked(page: Page, buffer: Buffer): Promise<{ colours: number; part: number }> {
+  return page.evaluate(async (content) => {
     const picture = new Image();
-    picture.src = `data:image/png;base64,${content}`;
+    picture.src = `data:image;base64,${content}`;
     await picture.decode();
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [picture.width, picture.height];
@@ -46,15 +70,10 @@ test("a picture for print", async ({ page }) => {
     context.drawImage(picture, 0, 0);
     const words = new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
     const paper = words[0];
-    return {
-      colours: new Set(words).size,
-      inked: words.reduce((sum, word) => sum + Number(word !== paper), 0) / words.length,
-    };
+    const other = words.reduce((sum, word) => sum + Number(word !== paper), 0);
+    return { colours: new Set(words).size, part: other / words.length };
   }, buffer.toString("base64"));
-  expect(shown.colours).toBeGreaterThan(300);
-  expect(shown.inked).toBeGreaterThan(0.1);
-  expect(shown.inked).toBeLessThan(0.9);
-});
+}
 
 test("a drawing, whose shapes come back with the same distance field", async ({ page }) => {
   const before = await prepared(page);

@@ -3,8 +3,8 @@ import { useEffect, useRef } from "preact/hooks";
 import { Surface } from "../view/canvas";
 import { blended } from "../view/curve";
 import { drawMark, localNumbers, probeAt, stepped } from "../view/probe";
-import { drawResult, type ResultScene } from "../view/result";
-import { lazy, picture, probe, view } from "./viewing";
+import type { ResultScene } from "../view/result";
+import { draw, lazy, picture, probe, view } from "./viewing";
 
 /** φ leaves the box a little under the natural boundary condition; this much around it is shown. */
 const MARGIN = 0.05;
@@ -29,19 +29,7 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
     const made = new Surface(canvas.current, MARGIN, (context, frame, colours) => {
       const now = scene.peek();
       const { match } = now;
-      const painter = lazy.peek();
-      const image = picture.peek();
-      if (view.peek() === "grid" || !match || !painter || !image) drawResult(context, frame, colours, now);
-      else {
-        const { morph, bandwidth } = now;
-        painter.views.drawView(view.peek(), context, frame, colours, {
-          match,
-          morph,
-          bandwidth,
-          limit: limit.peek(),
-          picture: image,
-        });
-      }
+      draw(context, frame, colours, now, limit.peek());
       const numbers = match && probe.peek() && localNumbers(match, probe.peek() ?? { x: 0, y: 0 });
       if (numbers) {
         const s = now.morph;

@@ -8,7 +8,7 @@ import { MatchCanvas } from "./MatchCanvas";
 import { decimals } from "./numbers";
 import { Readout } from "./Readout";
 import "./views.css";
-import { lazy, view } from "./viewing";
+import { limitOf, view } from "./viewing";
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */
 export function ResultPanel({ session }: { session: Session }) {
@@ -19,10 +19,7 @@ export function ResultPanel({ session }: { session: Session }) {
     morph: session.morph.value,
     bandwidth: bandwidth(session.settings.value),
   }));
-  const limit = useComputed(() => {
-    const shown = match.value;
-    return (shown && lazy.value?.views.limitOf(view.value, shown, bandwidth(session.settings.value))) || 1;
-  });
+  const limit = useComputed(() => limitOf(match.value, bandwidth(session.settings.value)));
   const label = useComputed(() => `Deformed grid and matched curve: ${words(session)}`);
   const drawn = useCallback(() => session.drawn(session.match.value), [session]);
   const showsPicture = view.value === "image" || view.value === "pullback";

@@ -1,8 +1,9 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { Format } from "../export";
+import type { Draw, Format } from "../export";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
+import { draw, limitOf } from "./viewing";
 
 const FORMATS: readonly { readonly format: Format; readonly label: string; readonly needsMatch: boolean }[] = [
   { format: "png", label: "Picture (PNG)", needsMatch: false },
@@ -34,13 +35,12 @@ export function Save({ session }: { session: Session }) {
     busy.value = label;
     try {
       const { saved, download } = await import("../export");
-      const saving = {
-        ...session.shapes.value,
-        settings: session.settings.value,
-        bandwidth: bandwidth(session.settings.value),
-        match: session.match.value,
-      };
-      download(await saved(saving, format, session.morph.value));
+      const match = session.match.value;
+      const width = bandwidth(session.settings.value);
+      const saving = { ...session.shapes.value, settings: session.settings.value, bandwidth: width, match };
+      const limit = limitOf(match && { ...match, level: match.status.level }, width);
+      const drawn: Draw = (context, frame, colours, scene) => draw(context, frame, colours, scene, limit);
+      download(await saved(saving, format, session.morph.value, drawn));
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
       session.problem.value = `${label} could not be saved. ${why}`;

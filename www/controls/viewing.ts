@@ -1,9 +1,12 @@
 /** How matches are looked at, the same for every canvas that shows one. */
 
 import { signal } from "@preact/signals";
+import type { Frame } from "../view/canvas";
 import type { View } from "../view/names";
+import type { Theme } from "../view/palette";
 import type { Probe } from "../view/probe";
 import type { Picture } from "../view/raster";
+import { drawResult, type Match, type ResultScene } from "../view/result";
 
 export const view = signal<View>("grid");
 
@@ -31,4 +34,23 @@ export async function choose(wanted: View): Promise<void> {
     }
   }
   view.value = wanted;
+}
+
+/** Where the chosen view's scale has to end for a match. */
+export function limitOf(match: Match | null, bandwidth: number): number {
+  return (match && lazy.value?.views.limitOf(view.value, match, bandwidth)) || 1;
+}
+
+/** Draws a match in the chosen view; without a match the shapes on the undeformed grid. */
+export function draw(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  colours: Theme,
+  scene: ResultScene,
+  limit: number,
+): void {
+  const { match, morph, bandwidth } = scene;
+  const [painter, image] = [lazy.peek(), picture.peek()];
+  if (view.peek() === "grid" || !match || !painter || !image) drawResult(context, frame, colours, scene);
+  else painter.views.drawView(view.peek(), context, frame, colours, { match, morph, bandwidth, limit, picture: image });
 }

@@ -4,23 +4,28 @@ import { encodeRecord } from "../record";
 import { theme } from "../view/palette";
 import { csv } from "./csv";
 import { gif, type SceneAt, video } from "./morph";
-import { png } from "./png";
+import { type Draw, png } from "./png";
 import { fileName, type Saving, sceneAt } from "./scene";
 import { svg } from "./svg";
+
+export type { Draw };
 
 export type Format = "png" | "svg" | "json" | "csv" | "video" | "gif";
 
 export type Saved = { readonly blob: Blob; readonly name: string };
 
-/** `morph` is what the view shows. Throws a sentence when the format needs a match and there is none. */
-export async function saved(saving: Saving, format: Format, morph: number): Promise<Saved> {
+/**
+ * `morph` is what the view shows and `draw` how; drawings (SVG) are of the grid. Throws a sentence when the format needs a
+ * match and there is none.
+ */
+export async function saved(saving: Saving, format: Format, morph: number, draw: Draw): Promise<Saved> {
   const colours = theme();
   const at: SceneAt = (part) => sceneAt(saving, part);
   const named = (blob: Blob, extension: string): Saved => ({ blob, name: fileName(saving, extension) });
   const text = (content: string, type: string) => named(new Blob([content], { type }), format);
   switch (format) {
     case "png":
-      return named(await png(at(morph), colours), "png");
+      return named(await png(at(morph), colours, draw), "png");
     case "svg":
       return text(svg(at(morph), colours), "image/svg+xml");
     case "json":
@@ -34,7 +39,7 @@ export async function saved(saving: Saving, format: Format, morph: number): Prom
     case "video":
     case "gif": {
       matchOf(saving);
-      const { blob, extension } = await (format === "gif" ? gif(at, colours) : video(at, colours));
+      const { blob, extension } = await (format === "gif" ? gif(at, colours, draw) : video(at, colours, draw));
       return named(blob, extension);
     }
   }

@@ -3,7 +3,7 @@
 import { applyPalette, GIFEncoder, quantize } from "gifenc";
 import type { Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
-import { paint } from "./png";
+import { type Draw, paint } from "./png";
 
 /** The scene at a part 0…1 of the deformation. */
 export type SceneAt = (morph: number) => ResultScene;
@@ -36,13 +36,13 @@ function morphAt(part: number): number {
 }
 
 /** Records in real time, some four seconds. */
-export async function video(sceneAt: SceneAt, colours: Theme): Promise<Film> {
+export async function video(sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film> {
   const type = videoType();
   if (!type) throw new Error("This browser records no video; save the morph as GIF.");
   const canvas = document.createElement("canvas");
   canvas.width = VIDEO_SIDE;
   canvas.height = VIDEO_SIDE;
-  paint(canvas, sceneAt(0), colours);
+  paint(canvas, sceneAt(0), colours, draw);
   const stream = canvas.captureStream(VIDEO_RATE);
   const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: VIDEO_BITS_PER_SECOND });
   const pieces: Blob[] = [];
@@ -54,7 +54,7 @@ export async function video(sceneAt: SceneAt, colours: Theme): Promise<Film> {
   recorder.start();
   const begin = performance.now();
   for (let part = 0; part < 1; part = (performance.now() - begin) / VIDEO_MILLIS) {
-    paint(canvas, sceneAt(morphAt(part)), colours);
+    paint(canvas, sceneAt(morphAt(part)), colours, draw);
     await pause(1000 / VIDEO_RATE);
   }
   recorder.stop();
@@ -64,16 +64,19 @@ export async function video(sceneAt: SceneAt, colours: Theme): Promise<Film> {
   return { blob: new Blob(pieces, { type: bare }), extension: bare === "video/mp4" ? "mp4" : "webm" };
 }
 
-/** Plays everywhere and for ever. One palette for all frames, from both ends of the morph. */
-export async function gif(sceneAt: SceneAt, colours: Theme): Promise<Film> {
+/** Plays everywhere and for ever. One palette for all frames, from both ends of the morph and its middle. */
+export async function gif(sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film> {
   const canvas = document.createElement("canvas");
   canvas.width = GIF_SIDE;
   canvas.height = GIF_SIDE;
-  const pixels = (morph: number) => paint(canvas, sceneAt(morph), colours).getImageData(0, 0, GIF_SIDE, GIF_SIDE).data;
-  const ends = new Uint8ClampedArray(2 * 4 * GIF_SIDE * GIF_SIDE);
-  ends.set(pixels(0));
-  ends.set(pixels(1), ends.length / 2);
-  const palette = quantize(ends, 256);
+  const pixels = (morph: number) =>
+    paint(canvas, sceneAt(morph), colours, draw).getImageData(0, 0, GIF_SIDE, GIF_SIDE).data;
+  const typical = [0, 0.5, 1];
+  const samples = new Uint8ClampedArray(typical.length * 4 * GIF_SIDE * GIF_SIDE);
+  typical.forEach((morph, i) => {
+    samples.set(pixels(morph), (i * samples.length) / typical.length);
+  });
+  const palette = quantize(samples, 256);
   const frames: Uint8Array[] = [];
   for (let step = 0; step <= GIF_STEPS; step += 1) {
     frames.push(applyPalette(pixels((1 - Math.cos((Math.PI * step) / GIF_STEPS)) / 2), palette));

@@ -2,7 +2,10 @@
 
 import type { Frame } from "../view/canvas";
 import type { Theme } from "../view/palette";
-import { drawResult, type ResultScene } from "../view/result";
+import type { ResultScene } from "../view/result";
+
+/** Draws a scene in the view that is chosen. */
+export type Draw = (context: CanvasRenderingContext2D, frame: Frame, colours: Theme, scene: ResultScene) => void;
 
 /** Pixels a side: 20 cm at 300 dots per inch. */
 const PRINT_SIDE = 2400;
@@ -13,18 +16,23 @@ const VIEW_SIDE = 520;
 /** φ leaves the box a little; this much around it is in the picture. */
 export const MARGIN = 0.05;
 
-export async function png(scene: ResultScene, colours: Theme): Promise<Blob> {
+export async function png(scene: ResultScene, colours: Theme, draw: Draw): Promise<Blob> {
   const canvas = document.createElement("canvas");
   canvas.width = PRINT_SIDE;
   canvas.height = PRINT_SIDE;
-  paint(canvas, scene, colours);
+  paint(canvas, scene, colours, draw);
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, "image/png"));
   if (!blob) throw new Error("The browser could not make the picture; it may be short of memory.");
   return blob;
 }
 
 /** Draws the scene on the theme's paper, filling the canvas. */
-export function paint(canvas: HTMLCanvasElement, scene: ResultScene, colours: Theme): CanvasRenderingContext2D {
+export function paint(
+  canvas: HTMLCanvasElement,
+  scene: ResultScene,
+  colours: Theme,
+  draw: Draw,
+): CanvasRenderingContext2D {
   const context = canvas.getContext("2d", { willReadFrequently: true });
   if (!context) throw new Error("The browser gives no canvas to draw the picture on.");
   const { width, height } = canvas;
@@ -40,6 +48,6 @@ export function paint(canvas: HTMLCanvasElement, scene: ResultScene, colours: Th
   context.globalAlpha = 1;
   context.fillStyle = colours.paper;
   context.fillRect(0, 0, width, height);
-  drawResult(context, frame, colours, scene);
+  draw(context, frame, colours, scene);
   return context;
 }

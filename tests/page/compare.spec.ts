@@ -1,6 +1,6 @@
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "@playwright/test";
-import { button, finished, paint, watch } from "./handles";
+import { button, finished, paint, picture, watch } from "./handles";
 
 const EASY = "./#v=1&preset=ellipse&finest=5";
 
@@ -26,8 +26,7 @@ for (const [colorScheme, width] of [
       expect(numbers[1] - numbers[0]).toBeCloseTo(numbers[2], 1);
 
       const results = [page.getByRole("img", { name: "Result of A" }), page.getByRole("img", { name: "Result of B" })];
-      const pictures = () =>
-        Promise.all(results.map((one) => one.evaluate((c) => (c as HTMLCanvasElement).toDataURL())));
+      const pictures = () => Promise.all(results.map(picture));
       for (const one of results) await expect.poll(async () => (await paint(one)).painted).toBeGreaterThan(0.05);
       const [a, b] = await pictures();
       expect(a === b).toBe(false);

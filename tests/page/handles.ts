@@ -70,6 +70,17 @@ export async function paint(canvas: Locator): Promise<{ painted: number; colours
   });
 }
 
+/** What a canvas shows, to be compared. A copy is read, see `paint`. */
+export async function picture(canvas: Locator): Promise<string> {
+  return canvas.evaluate((element) => {
+    const copy = document.createElement("canvas");
+    const source = element as HTMLCanvasElement;
+    [copy.width, copy.height] = [source.width, source.height];
+    copy.getContext("2d", { willReadFrequently: true })?.drawImage(source, 0, 0);
+    return copy.toDataURL();
+  });
+}
+
 /** What the address holds of a shape: changes with every edit. */
 export function drawn(page: Page, side: Side): string | null {
   return new URLSearchParams(new URL(page.url()).hash.slice(1)).get(side.toLowerCase());

@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { button, finished, result, settings, surface, value, watch } from "./handles";
+import { button, finished, picture, result, settings, surface, value, watch } from "./handles";
 
 function live(page: Page) {
   return page.getByRole("switch", { name: "Live" });
@@ -35,7 +35,7 @@ test("switching Live on matches, and the match follows a dragged point and is re
   await expect(live(page)).toHaveAttribute("aria-checked", "true");
   await finished(page);
   expect(await value(page, "level")).toBe(7);
-  const pixels = () => result(page).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const pixels = () => picture(result(page));
   const before = await pixels();
   seen.requests.length = 0;
 

@@ -1,6 +1,19 @@
 import { expect, test } from "@playwright/test";
 import { PRESETS } from "../../www/shapes/presets";
-import { button, choose, clear, ellipse, finished, paint, result, stroke, surface, value, watch } from "./handles";
+import {
+  button,
+  choose,
+  clear,
+  ellipse,
+  finished,
+  paint,
+  picture,
+  result,
+  stroke,
+  surface,
+  value,
+  watch,
+} from "./handles";
 
 test("two curves drawn with the mouse are matched within half a cell and without a fold", async ({ page }) => {
   const seen = watch(page);
@@ -45,14 +58,14 @@ test("the status shows the run as it goes, and the end only at the end", async (
 test("the slider morphs between the identity and the match", async ({ page }) => {
   await page.goto("./#v=1&preset=ellipse&finest=5");
   await expect(page.getByRole("slider", { name: "Morph" })).toBeDisabled();
+  const shown = () => picture(result(page));
   await button(page, "Match").click();
   await finished(page);
-  const pixels = () => result(page).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
-  const matched = await pixels();
+  const matched = await shown();
   await page.getByRole("slider", { name: "Morph" }).fill("0");
-  await expect.poll(pixels).not.toBe(matched);
+  await expect.poll(shown).not.toBe(matched);
   await page.getByRole("slider", { name: "Morph" }).fill("100");
-  await expect.poll(pixels).toBe(matched);
+  await expect.poll(shown).toBe(matched);
 });
 
 test("the morph plays, and only steps where motion is unwelcome", async ({ page }) => {

@@ -1,7 +1,7 @@
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
 import { VIEWS } from "../../www/view/names";
-import { button, finished, paint, result, surface, watch } from "./handles";
+import { button, finished, paint, picture, result, surface, watch } from "./handles";
 
 const EASY = "./#v=1&preset=ellipse&finest=6";
 
@@ -24,7 +24,7 @@ async function local(page: Page, name: string): Promise<number> {
 test("every view paints the match in its own way, with a legend for its colours", async ({ page, baseURL }) => {
   const seen = watch(page);
   await matched(page);
-  const pixels = () => result(page).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const pixels = () => picture(result(page));
   const pictures = new Set([await pixels()]);
   for (const { view, label } of VIEWS.slice(1)) {
     await picker(page).selectOption(label);
@@ -48,7 +48,7 @@ test("every view paints the match in its own way, with a legend for its colours"
 test("the picture that is carried along can be the user's own; what is none is refused", async ({ page }) => {
   await matched(page);
   await picker(page).selectOption("Image carried");
-  const pixels = () => result(page).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const pixels = () => picture(result(page));
   const pattern = await pixels();
   const red = Buffer.from(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==",
@@ -67,7 +67,7 @@ test("the picture that is carried along can be the user's own; what is none is r
 test("pointing at the reference lights its partner up, with the numbers there", async ({ page }) => {
   await matched(page);
   const template = surface(page, "Template");
-  const plain = await template.evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const plain = await picture(template);
   const box = await surface(page, "Reference").boundingBox();
   if (!box) throw new Error("the reference's surface is not on the page");
   // The circle's rightmost point: the first painted pixel from the right on the middle row.
@@ -85,7 +85,7 @@ test("pointing at the reference lights its partner up, with the numbers there", 
   expect(await local(page, "determinant")).toBeGreaterThan(0);
   expect(await local(page, "curvature")).toBeGreaterThan(0);
   expect(await local(page, "distance")).toBeLessThan(0.5);
-  await expect.poll(() => template.evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL())).not.toBe(plain);
+  await expect.poll(() => picture(template)).not.toBe(plain);
   await page.mouse.move(box.x + 5, box.y + 5);
   await expect(page.getByRole("region", { name: "Numbers at the point" })).toBeEmpty();
 });

@@ -169,7 +169,7 @@ fn plain_loop(cells: f64, sums: f64, products: f64, quotients: f64) {
         while rest_due >= divisions {
             rest_due -= divisions;
             for chain in &mut chains {
-                *chain = *chain * one;
+                *chain *= one;
             }
         }
         let quotient = &mut divided[division % 4];

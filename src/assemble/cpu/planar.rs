@@ -135,11 +135,14 @@ impl Volume {
             let twice = weight + weight;
             let [mean, by_s, by_t] = [mean, by_s, by_t].map(|moment| twice * moment);
             let mu = weight * S::splat(material.mu);
-            let one = S::splat(1.0);
-            forces.a = add_scaled(&forces.a, one, &combined(mu, a, one, &turned(&combined(mean, b, by_s, c))));
-            forces.b = add_scaled(&forces.b, one, &combined(mu, b, -one, &turned(&combined(mean, a, by_t, c))));
-            forces.c =
-                add_scaled(&forces.c, one, &combined(mu * moment, c, one, &turned(&combined(by_t, b, -by_s, a))));
+            let on_a = turned(&combined(mean, b, by_s, c));
+            let on_b = turned(&combined(mean, a, by_t, c));
+            let on_c = turned(&combined(by_t, b, -by_s, a));
+            for k in 0..D {
+                forces.a[k] += mu * a[k] + on_a[k];
+                forces.b[k] += mu * b[k] - on_b[k];
+                forces.c[k] += mu * moment * c[k] + on_c[k];
+            }
         }
         weight * (half_mu * (dot(a, a) + dot(b, b) + moment * dot(c, c)) + dilation)
     }

@@ -94,14 +94,21 @@ fn product_before<const D: usize, const B: usize, const H: usize, const FROM: us
     sum
 }
 
+/// Calls a method with the numbers a block and the blocks a node that D has, which the type system cannot compute.
+macro_rules! by_dimension {
+    ($layout:ident.$method:ident($($argument:expr),*)) => {
+        match D {
+            2 => $layout.$method::<4, 5>($($argument),*),
+            3 => $layout.$method::<9, 14>($($argument),*),
+            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
+        }
+    };
+}
+
 impl<const D: usize> Layout<D> {
     /// image = A x.
     pub fn apply(&self, operator: &StencilOperator<D>, x: &Nodes<D>, image: &mut Nodes<D>) {
-        match D {
-            2 => self.apply_blocks::<4, 5>(operator, x, image),
-            3 => self.apply_blocks::<9, 14>(operator, x, image),
-            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
-        }
+        by_dimension!(self.apply_blocks(operator, x, image));
     }
 
     fn apply_blocks<const B: usize, const H: usize>(
@@ -133,11 +140,7 @@ impl<const D: usize> Layout<D> {
         x: &mut Nodes<D>,
         residual: &mut Nodes<D>,
     ) {
-        match D {
-            2 => self.sweep_blocks_from_zero::<4, 5>(operator, inverse, right, x, residual),
-            3 => self.sweep_blocks_from_zero::<9, 14>(operator, inverse, right, x, residual),
-            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
-        }
+        by_dimension!(self.sweep_blocks_from_zero(operator, inverse, right, x, residual));
     }
 
     fn sweep_blocks_from_zero<const B: usize, const H: usize>(
@@ -192,11 +195,7 @@ impl<const D: usize> Layout<D> {
         right: &Nodes<D>,
         x: &mut Nodes<D>,
     ) {
-        match D {
-            2 => self.sweep_blocks_backward::<4, 5>(operator, inverse, right, x),
-            3 => self.sweep_blocks_backward::<9, 14>(operator, inverse, right, x),
-            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
-        }
+        by_dimension!(self.sweep_blocks_backward(operator, inverse, right, x));
     }
 
     fn sweep_blocks_backward<const B: usize, const H: usize>(

@@ -81,35 +81,6 @@ export async function picture(canvas: Locator): Promise<string> {
   });
 }
 
-/**
- * The part of the pixels in which two pictures differ visibly. The browser does not always smooth the same lines to the
- * same bits: some twenty pixels have been seen to differ by 5 of 255.
- */
-export async function difference(page: Page, one: string, other: string): Promise<number> {
-  return page.evaluate(
-    async ([a, b]) => {
-      const pixels = async (source: string) => {
-        const image = new Image();
-        image.src = source;
-        await image.decode();
-        const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
-        if (!context) throw new Error("no 2D canvas");
-        context.drawImage(image, 0, 0);
-        return context.getImageData(0, 0, image.width, image.height).data;
-      };
-      const [first, second] = await Promise.all([pixels(a), pixels(b)]);
-      if (first.length !== second.length) return 1;
-      let differing = 0;
-      for (let i = 0; i < first.length; i += 4) {
-        const apart = [0, 1, 2, 3].some((k) => Math.abs(first[i + k] - second[i + k]) > 16);
-        differing += Number(apart);
-      }
-      return (4 * differing) / first.length;
-    },
-    [one, other] as const,
-  );
-}
-
 /** What the address holds of a shape: changes with every edit. */
 export function drawn(page: Page, side: Side): string | null {
   return new URLSearchParams(new URL(page.url()).hash.slice(1)).get(side.toLowerCase());

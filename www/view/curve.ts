@@ -79,13 +79,15 @@ export function strokeColoured(
   layer.globalCompositeOperation = "source-over";
   layer.clearRect(left, top, across, down);
   layer.lineJoin = "round";
+  layer.lineCap = "round";
   layer.lineWidth = width;
+  // It shines through where soft ends of pieces meet, and must not be what another drawing has left.
+  layer.strokeStyle = colours[0];
   layer.beginPath();
   for (const loop of loops) trace(layer, frame, loop.points, true);
   layer.stroke();
   layer.globalCompositeOperation = "source-atop";
   layer.lineWidth = width + 2;
-  layer.lineCap = "round";
   for (const loop of loops) layColours(layer, frame, loop, colours);
   context.drawImage(layer.canvas, left, top, across, down, left, top, across, down);
 }

@@ -1,4 +1,4 @@
-//! From densities to numbers over the grid: energies, gradient, curvature at a displacement.
+//! From densities to numbers over the grid: energies, gradient, hessian at a displacement.
 
 mod band;
 mod cpu;
@@ -43,7 +43,7 @@ pub trait Assembler<const D: usize> {
     async fn gradient(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation;
 
     /// Also overwrites `operator` with a positive semi-definite approximation of the second derivative.
-    async fn curvature(
+    async fn hessian(
         &mut self,
         displacement: &[f64],
         gradient: &mut [f64],

@@ -7,7 +7,7 @@
 //! | membrane, bending, mismatch | Dφ t_1, …, Dφ t_{D−1} (t: orthonormal tangents of the reference), φ |
 //! | volume | ∂φ/∂x_1, …, ∂φ/∂x_D |
 //!
-//! One function gives value, derivative and a positive semi-definite curvature, so they cannot drift apart.
+//! One function gives value, derivative and a positive semi-definite hessian, so they cannot drift apart.
 
 mod bending;
 mod membrane;
@@ -41,9 +41,9 @@ pub struct TemplateJet<S, const D: usize> {
     /// d2(y) and its derivative.
     pub distance: S,
     pub gradient: Vector<S, D>,
-    /// D²d2(y) and its derivatives: `hessian_slope[axis]`.
-    pub hessian: Matrix<S, D>,
-    pub hessian_slope: [Matrix<S, D>; D],
+    /// D²d2(y) and its derivatives: `curvature_slope[axis]`.
+    pub curvature: Matrix<S, D>,
+    pub curvature_slope: [Matrix<S, D>; D],
 }
 
 /// A quadrature point: the slots and both shapes' jets.
@@ -63,7 +63,12 @@ impl<S: Scalar, const D: usize> Point<S, D> {
         Self {
             slots,
             reference: ReferenceJet { distance: zero, curvature: matrix, off_tangential: zero, trace: zero },
-            template: TemplateJet { distance: zero, gradient: [zero; D], hessian: matrix, hessian_slope: [matrix; D] },
+            template: TemplateJet {
+                distance: zero,
+                gradient: [zero; D],
+                curvature: matrix,
+                curvature_slope: [matrix; D],
+            },
         }
     }
 }
@@ -73,18 +78,18 @@ impl<S: Scalar, const D: usize> Point<S, D> {
 pub struct Response<S, const D: usize> {
     /// `gradient[slot][component]`.
     pub gradient: [Vector<S, D>; D],
-    /// `curvature[p][q][a][b]`: slot p, component a against slot q, component b; filled for p ≤ q.
-    pub curvature: [[Matrix<S, D>; D]; D],
+    /// `hessian[p][q][a][b]`: slot p, component a against slot q, component b; filled for p ≤ q.
+    pub hessian: [[Matrix<S, D>; D]; D],
 }
 
 impl<S: Scalar, const D: usize> Response<S, D> {
     #[inline(always)]
     pub fn zero() -> Self {
         let zero = S::zero();
-        Self { gradient: [[zero; D]; D], curvature: [[[[zero; D]; D]; D]; D] }
+        Self { gradient: [[zero; D]; D], hessian: [[[[zero; D]; D]; D]; D] }
     }
 
-    /// curvature += weight · direction ⊗ direction.
+    /// hessian += weight · direction ⊗ direction.
     #[inline(always)]
     pub fn add_outer(&mut self, weight: S, direction: &[Vector<S, D>; D]) {
         for p in 0..D {
@@ -92,7 +97,7 @@ impl<S: Scalar, const D: usize> Response<S, D> {
                 let scaled = weight * direction[p][a];
                 for q in p..D {
                     for b in 0..D {
-                        self.curvature[p][q][a][b] += scaled * direction[q][b];
+                        self.hessian[p][q][a][b] += scaled * direction[q][b];
                     }
                 }
             }
@@ -103,13 +108,13 @@ impl<S: Scalar, const D: usize> Response<S, D> {
 /// Orders of differentiation that [`Term::add`] can be asked for.
 pub const VALUE: u8 = 0;
 pub const GRADIENT: u8 = 1;
-pub const CURVATURE: u8 = 2;
+pub const HESSIAN: u8 = 2;
 
 /// An energy density.
 pub trait Term<const D: usize> {
     /// Returns the density; adds `weight` times its derivatives up to `ORDER` to the response.
     ///
-    /// The curvature is a positive semi-definite approximation of the second derivative.
+    /// The hessian is a positive semi-definite approximation of the second derivative.
     fn add<S: Scalar, const ORDER: u8>(&self, weight: S, point: &Point<S, D>, response: &mut Response<S, D>) -> S;
 }
 
@@ -187,7 +192,7 @@ pub struct Functional {
     /// ξ.
     pub volume: f64,
     /// ζ, the softness outside the reference; 1 treats inside and outside alike.
-    pub interior: f64,
+    pub softness: f64,
     pub material: Material,
     /// σ, the half width of the band, domain units.
     pub bandwidth: f64,

@@ -77,15 +77,15 @@ pub fn interpolate_derivative<const D: usize, const COMPONENTS: usize>(
     result
 }
 
-/// Value, gradient and Hessian of a scalar field at a node, domain units.
+/// Value, gradient and second derivative of a scalar field at a node, domain units.
 #[derive(Clone, Copy, Debug)]
 pub struct Jet<const D: usize> {
     pub value: f64,
     pub gradient: Vector<f64, D>,
-    pub hessian: Matrix<f64, D>,
+    pub curvature: Matrix<f64, D>,
 }
 
-/// Gradients and Hessians at all nodes by a least-squares quadratic over the neighbours within `radius` cells.
+/// Gradients and second derivatives at all nodes by a least-squares quadratic over the neighbours within `radius` cells.
 ///
 /// The polynomial c + g·o + ½ o·H·o is fitted, unweighted, to the values at all integer offsets |o| ≤ radius.
 /// Near the boundary the stencil's centre moves inside and the polynomial is differentiated at the node.
@@ -108,28 +108,28 @@ pub fn quadratic_fit<const D: usize>(grid: Grid<D>, values: &[f64], radius: f64)
             let centre = index.map(|i| i.clamp(reach, grid.cells() - reach));
             let centre_node = grid.node(centre) as isize;
             let mut gradient = [0.0; D];
-            let mut hessian = [[0.0; D]; D];
+            let mut curvature = [[0.0; D]; D];
             for (row, &stride) in stencil.weights.iter().zip(&strides) {
                 let value = values[(centre_node + stride) as usize];
                 let mut k = D;
                 for a in 0..D {
                     gradient[a] += row[a] * value;
                     for b in a..D {
-                        hessian[a][b] += row[k] * value;
+                        curvature[a][b] += row[k] * value;
                         k += 1;
                     }
                 }
             }
             for a in 0..D {
                 for b in 0..a {
-                    hessian[a][b] = hessian[b][a];
+                    curvature[a][b] = curvature[b][a];
                 }
             }
             for a in 0..D {
-                let shift: f64 = (0..D).map(|b| hessian[a][b] * (index[b] as f64 - centre[b] as f64)).sum();
+                let shift: f64 = (0..D).map(|b| curvature[a][b] * (index[b] as f64 - centre[b] as f64)).sum();
                 gradient[a] = (gradient[a] + shift) * n;
             }
-            Jet { value: values[node], gradient, hessian: hessian.map(|row| row.map(|x| x * n * n)) }
+            Jet { value: values[node], gradient, curvature: curvature.map(|row| row.map(|x| x * n * n)) }
         })
         .collect()
 }
@@ -137,7 +137,7 @@ pub fn quadratic_fit<const D: usize>(grid: Grid<D>, values: &[f64], radius: f64)
 /// Weights that take the values around a node to the coefficients of the fitted quadratic.
 struct Stencil<const D: usize> {
     offsets: Vec<[isize; D]>,
-    /// By offset: D weights of the gradient, then D(D+1)/2 of the Hessian's upper triangle.
+    /// By offset: D weights of the gradient, then D(D+1)/2 of the second derivative's upper triangle.
     weights: Vec<Vec<f64>>,
 }
 
@@ -228,7 +228,7 @@ mod tests {
                     let mut slope = a as f64 + 0.5;
                     for b in 0..D {
                         let h = (1 + a.min(b)) as f64 - 0.7 * (a.max(b)) as f64;
-                        assert!((jet.hessian[a][b] - h).abs() < 1e-9);
+                        assert!((jet.curvature[a][b] - h).abs() < 1e-9);
                         slope += h * x[b];
                     }
                     assert!((jet.gradient[a] - slope).abs() < 1e-10);

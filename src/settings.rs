@@ -35,7 +35,7 @@ pub struct Settings {
     /// ξ.
     pub volume: f64,
     /// ζ.
-    pub interior: f64,
+    pub softness: f64,
     pub material: Material,
     /// σ, one value for all levels; 0 takes max(0.05, 1.5 h) with h of the finest level.
     pub bandwidth: f64,
@@ -73,7 +73,7 @@ impl Default for Settings {
             thickness: 0.5,
             penalty: 1e3,
             volume: 1e-3,
-            interior: 1.0,
+            softness: 1.0,
             material: Material { lambda: 2.0, mu: 0.25 },
             bandwidth: 0.0,
             cutoff: Cutoff::Quartic,
@@ -109,7 +109,7 @@ impl Settings {
         positive("penalty", self.penalty)?;
         // Without volume energy nothing keeps the space around the shell from folding.
         positive("volume", self.volume)?;
-        between("interior", self.interior, 1e-6, 1.0)?;
+        between("interior", self.softness, 1e-6, 1.0)?;
         positive("mu", self.material.mu)?;
         at_least("lambda", self.material.lambda, 0.0)?;
         between("bandwidth", self.bandwidth, 0.0, 1.0)?;
@@ -137,7 +137,7 @@ impl Settings {
             thickness: self.thickness / finer,
             penalty: self.penalty * finer,
             volume: self.volume,
-            interior: self.interior,
+            softness: self.softness,
             material: self.material,
             bandwidth: if self.bandwidth > 0.0 { self.bandwidth } else { automatic },
             cutoff: self.cutoff,

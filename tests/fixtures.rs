@@ -76,7 +76,7 @@ fn functional(params: &Params) -> Functional {
         thickness: params.delta,
         penalty: params.inv_eps,
         volume: params.xi,
-        interior: params.zeta,
+        softness: params.zeta,
         material: Material { lambda: params.lambda, mu: params.mu },
         bandwidth: params.sigma,
         cutoff: [Cutoff::Quartic, Cutoff::Cosine, Cutoff::Bump][params.eta as usize],
@@ -101,9 +101,9 @@ fn agrees<const D: usize, S: Scalar>(text: &str) {
     let grid = Grid::<D>::new(fixture.n);
     let fit = quadratic_fit(grid, &fixture.d1, fixture.params.fit_r);
     let gradients: Vec<f64> = fit.iter().flat_map(|jet| jet.gradient).collect();
-    let hessians: Vec<f64> = fit.iter().flat_map(|jet| jet.hessian.into_iter().flatten()).collect();
+    let curvatures: Vec<f64> = fit.iter().flat_map(|jet| jet.curvature.into_iter().flatten()).collect();
     check_gradient("fitted gradient", &gradients, &fixture.grad_d1);
-    check_gradient("fitted Hessian", &hessians, &fixture.hess_d1);
+    check_gradient("fitted curvature", &curvatures, &fixture.hess_d1);
 
     let reference = SignedDistance::from_nodal(grid, fixture.d1.clone());
     let template = SignedDistance::from_nodal(grid, fixture.d2.clone());

@@ -17,7 +17,7 @@ fn drawn_out(settings: Settings) -> (Cascade<2>, CascadeProgress) {
         membrane: 0.0,
         bending: 0.0,
         volume: 1.0,
-        interior: 1e-3,
+        softness: 1e-3,
         penalty: 1e5,
         halving: false,
         bandwidth: 0.04,

@@ -118,7 +118,7 @@ fn hessian(level: u32) -> (Multigrid<2>, Vec<f64>) {
         .collect();
     let mut multigrid = Multigrid::new(grid);
     let mut gradient = vec![0.0; displacement.len()];
-    let evaluation = ready(assembler.curvature(&displacement, &mut gradient, multigrid.operator_mut()));
+    let evaluation = ready(assembler.hessian(&displacement, &mut gradient, multigrid.operator_mut()));
     assert!(evaluation.is_admissible());
     multigrid.prepare();
     (multigrid, gradient)
@@ -155,7 +155,7 @@ fn the_cycle_is_symmetric() {
 
 #[test]
 fn the_hessian_is_symmetric_and_its_gradient_consistent() {
-    // A leaf pair, off the minimum: H d is the derivative of the gradient up to the dropped curvature of the residual,
+    // A leaf pair, off the minimum: H d is the derivative of the gradient up to the dropped part of the residual,
     // and symmetric to f32.
     let grid = Grid::<2>::of_level(4);
     let shape = |curve| SignedDistance::from_loops(grid, &[curve]).expect("a valid curve");
@@ -164,7 +164,7 @@ fn the_hessian_is_symmetric_and_its_gradient_consistent() {
     let displacement = vec![0.0; grid.node_count() * 2];
     let mut gradient = displacement.clone();
     let mut operator = StencilOperator::zero(grid);
-    ready(assembler.curvature(&displacement, &mut gradient, &mut operator));
+    ready(assembler.hessian(&displacement, &mut gradient, &mut operator));
     let (a, b) = (noise(displacement.len()), noise(displacement.len() + 3)[3..].to_vec());
     let product = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(p, q)| p * q).sum::<f64>();
     let (left, right) = (product(&a, &apply(&operator, &b)), product(&b, &apply(&operator, &a)));

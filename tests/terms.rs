@@ -4,31 +4,31 @@ mod common;
 
 use common::Random;
 use thinshell::energy::{
-    Bending, CURVATURE, GRADIENT, Material, MeanCurvature, Membrane, Mismatch, Point, ReferenceJet, Response,
+    Bending, GRADIENT, HESSIAN, Material, MeanCurvature, Membrane, Mismatch, Point, ReferenceJet, Response,
     TemplateJet, Term, VALUE, Volume,
 };
 use thinshell::small::{F64x2, Scalar};
 
 const MATERIAL: Material = Material { lambda: 2.0, mu: 0.25 };
 
-/// A template whose distance and Hessian are quadratic functions of y, with exact derivatives.
+/// A template whose distance and curvature are quadratic functions of y, with exact derivatives.
 struct Template<const D: usize> {
     value: [f64; 8],
-    hessian: [[[f64; 8]; 3]; 3],
+    curvature: [[[f64; 8]; 3]; 3],
     y_slot: usize,
 }
 
 impl<const D: usize> Template<D> {
     fn random(random: &mut Random) -> Self {
         let mut coefficients = || std::array::from_fn(|_| random.between(-1.0, 1.0));
-        let mut hessian = [[[0.0; 8]; 3]; 3];
+        let mut curvature = [[[0.0; 8]; 3]; 3];
         for a in 0..D {
             for b in a..D {
-                hessian[a][b] = coefficients();
-                hessian[b][a] = hessian[a][b];
+                curvature[a][b] = coefficients();
+                curvature[b][a] = curvature[a][b];
             }
         }
-        Self { value: coefficients(), hessian, y_slot: D - 1 }
+        Self { value: coefficients(), curvature, y_slot: D - 1 }
     }
 
     /// c₀ + Σ c_{1+k} y_k + Σ c_{4+k} y_k², and its gradient.
@@ -40,18 +40,18 @@ impl<const D: usize> Template<D> {
     fn point(&self, slots: [[f64; D]; D], reference: ReferenceJet<f64, D>) -> Point<f64, D> {
         let y = &slots[self.y_slot];
         let (distance, gradient) = Self::quadratic(&self.value, y);
-        let mut hessian = [[0.0; D]; D];
-        let mut hessian_slope = [[[0.0; D]; D]; D];
+        let mut curvature = [[0.0; D]; D];
+        let mut curvature_slope = [[[0.0; D]; D]; D];
         for a in 0..D {
             for b in 0..D {
-                let (value, slope) = Self::quadratic(&self.hessian[a][b], y);
-                hessian[a][b] = value;
+                let (value, slope) = Self::quadratic(&self.curvature[a][b], y);
+                curvature[a][b] = value;
                 for k in 0..D {
-                    hessian_slope[k][a][b] = slope[k];
+                    curvature_slope[k][a][b] = slope[k];
                 }
             }
         }
-        Point { slots, reference, template: TemplateJet { distance, gradient, hessian, hessian_slope } }
+        Point { slots, reference, template: TemplateJet { distance, gradient, curvature, curvature_slope } }
     }
 }
 
@@ -109,15 +109,15 @@ fn taylor<const D: usize>(term: &impl Term<D>) {
     }
 }
 
-/// The full symmetric matrix of a response's curvature.
+/// The full symmetric matrix of a response's hessian.
 fn matrix<const D: usize>(response: &Response<f64, D>) -> Vec<Vec<f64>> {
     let mut m = vec![vec![0.0; D * D]; D * D];
     for p in 0..D {
         for q in p..D {
             for a in 0..D {
                 for b in 0..D {
-                    m[p * D + a][q * D + b] = response.curvature[p][q][a][b];
-                    m[q * D + b][p * D + a] = response.curvature[p][q][a][b];
+                    m[p * D + a][q * D + b] = response.hessian[p][q][a][b];
+                    m[q * D + b][p * D + a] = response.hessian[p][q][a][b];
                 }
             }
         }
@@ -144,18 +144,18 @@ fn assert_semidefinite(mut m: Vec<Vec<f64>>) {
 }
 
 /// Diagonal blocks are symmetric and the whole has no negative eigenvalue, also far from the identity.
-fn curvature_is_semidefinite<const D: usize>(term: &impl Term<D>) {
+fn hessian_is_semidefinite<const D: usize>(term: &impl Term<D>) {
     let mut random = Random(11);
     for _ in 0..200 {
         let template = Template::<D>::random(&mut random);
         let squeeze = random.between(0.2, 2.0);
         let slots = random_slots::<D>(&mut random).map(|v| v.map(|x| x * squeeze));
         let mut response = Response::zero();
-        term.add::<f64, CURVATURE>(1.0, &template.point(slots, random_reference(&mut random)), &mut response);
+        term.add::<f64, HESSIAN>(1.0, &template.point(slots, random_reference(&mut random)), &mut response);
         for p in 0..D {
             for a in 0..D {
                 for b in 0..D {
-                    let (upper, lower) = (response.curvature[p][p][a][b], response.curvature[p][p][b][a]);
+                    let (upper, lower) = (response.hessian[p][p][a][b], response.hessian[p][p][b][a]);
                     assert!((upper - lower).abs() < 1e-9 * (1.0 + upper.abs()), "{upper} is not {lower}");
                 }
             }
@@ -164,8 +164,8 @@ fn curvature_is_semidefinite<const D: usize>(term: &impl Term<D>) {
     }
 }
 
-/// Where nothing is clipped and the residual is zero, the curvature is the derivative of the gradient.
-fn curvature_is_exact<const D: usize>(
+/// Where nothing is clipped and the residual is zero, the hessian is the derivative of the gradient.
+fn hessian_is_exact<const D: usize>(
     term: &impl Term<D>,
     point: impl Fn([[f64; D]; D]) -> Point<f64, D>,
     slots: [[f64; D]; D],
@@ -176,7 +176,7 @@ fn curvature_is_exact<const D: usize>(
         response.gradient
     };
     let mut response = Response::zero();
-    term.add::<f64, CURVATURE>(1.0, &point(slots), &mut response);
+    term.add::<f64, HESSIAN>(1.0, &point(slots), &mut response);
     let found = matrix(&response);
     let step = 1e-5;
     for q in 0..D {
@@ -211,17 +211,17 @@ fn all_terms_have_second_order_taylor_remainders() {
 }
 
 #[test]
-fn all_curvatures_are_symmetric_without_negative_eigenvalues() {
-    curvature_is_semidefinite::<2>(&Membrane(MATERIAL));
-    curvature_is_semidefinite::<3>(&Membrane(MATERIAL));
-    curvature_is_semidefinite::<2>(&Bending);
-    curvature_is_semidefinite::<3>(&Bending);
-    curvature_is_semidefinite::<2>(&MeanCurvature);
-    curvature_is_semidefinite::<3>(&MeanCurvature);
-    curvature_is_semidefinite::<2>(&Mismatch);
-    curvature_is_semidefinite::<3>(&Mismatch);
-    curvature_is_semidefinite::<2>(&Volume(MATERIAL));
-    curvature_is_semidefinite::<3>(&Volume(MATERIAL));
+fn all_hessians_are_symmetric_without_negative_eigenvalues() {
+    hessian_is_semidefinite::<2>(&Membrane(MATERIAL));
+    hessian_is_semidefinite::<3>(&Membrane(MATERIAL));
+    hessian_is_semidefinite::<2>(&Bending);
+    hessian_is_semidefinite::<3>(&Bending);
+    hessian_is_semidefinite::<2>(&MeanCurvature);
+    hessian_is_semidefinite::<3>(&MeanCurvature);
+    hessian_is_semidefinite::<2>(&Mismatch);
+    hessian_is_semidefinite::<3>(&Mismatch);
+    hessian_is_semidefinite::<2>(&Volume(MATERIAL));
+    hessian_is_semidefinite::<3>(&Volume(MATERIAL));
 }
 
 /// Slightly and evenly stretched, both isotropic densities are convex, hence not clipped.
@@ -233,13 +233,13 @@ fn stretched_densities_are_exact<const D: usize>() {
         let slots: [[f64; D]; D] = std::array::from_fn(|p| {
             std::array::from_fn(|a| random.between(-0.01, 0.01) + if p == a { 1.05 } else { 0.0 })
         });
-        curvature_is_exact(&Membrane(MATERIAL), |slots| template.point(slots, unused), slots);
-        curvature_is_exact(&Volume(MATERIAL), |slots| template.point(slots, unused), slots);
+        hessian_is_exact(&Membrane(MATERIAL), |slots| template.point(slots, unused), slots);
+        hessian_is_exact(&Volume(MATERIAL), |slots| template.point(slots, unused), slots);
     }
 }
 
 #[test]
-fn the_curvature_of_a_stretched_body_is_the_second_derivative() {
+fn the_hessian_of_a_stretched_body_is_the_second_derivative() {
     stretched_densities_are_exact::<2>();
     stretched_densities_are_exact::<3>();
 }
@@ -253,16 +253,16 @@ fn gauss_newton_is_exact_without_residual<const D: usize>() {
         let mut reference = random_reference(&mut random);
         let there = template.point(slots, reference);
         reference.distance = there.template.distance;
-        reference.trace = (0..D).map(|k| there.template.hessian[k][k]).sum();
+        reference.trace = (0..D).map(|k| there.template.curvature[k][k]).sum();
         for i in 0..D {
             for j in 0..D {
-                let bent = thinshell::small::apply(&there.template.hessian, &slots[j]);
+                let bent = thinshell::small::apply(&there.template.curvature, &slots[j]);
                 reference.curvature[i][j] = thinshell::small::dot(&slots[i], &bent);
             }
         }
-        curvature_is_exact(&Bending, |slots| template.point(slots, reference), slots);
-        curvature_is_exact(&MeanCurvature, |slots| template.point(slots, reference), slots);
-        curvature_is_exact(&Mismatch, |slots| template.point(slots, reference), slots);
+        hessian_is_exact(&Bending, |slots| template.point(slots, reference), slots);
+        hessian_is_exact(&MeanCurvature, |slots| template.point(slots, reference), slots);
+        hessian_is_exact(&Mismatch, |slots| template.point(slots, reference), slots);
     }
 }
 
@@ -294,21 +294,21 @@ fn lanes_give_what_the_scalar_gives() {
             template: TemplateJet {
                 distance: pick(&|p| p.template.distance),
                 gradient: std::array::from_fn(|a| pick(&|p| p.template.gradient[a])),
-                hessian: matrix(&|p| p.template.hessian),
-                hessian_slope: std::array::from_fn(|k| matrix(&|p| p.template.hessian_slope[k])),
+                curvature: matrix(&|p| p.template.curvature),
+                curvature_slope: std::array::from_fn(|k| matrix(&|p| p.template.curvature_slope[k])),
             },
         };
         let mut wide = Response::zero();
-        let values = term.add::<F64x2, CURVATURE>(F64x2::splat(1.0), &lanes, &mut wide);
+        let values = term.add::<F64x2, HESSIAN>(F64x2::splat(1.0), &lanes, &mut wide);
         for (lane, point) in points.iter().enumerate() {
             let mut response = Response::zero();
-            assert_eq!(term.add::<f64, CURVATURE>(1.0, point, &mut response), values.lane(lane));
+            assert_eq!(term.add::<f64, HESSIAN>(1.0, point, &mut response), values.lane(lane));
             for p in 0..D {
                 for a in 0..D {
                     assert_eq!(response.gradient[p][a], wide.gradient[p][a].lane(lane));
                     for q in p..D {
                         for b in 0..D {
-                            assert_eq!(response.curvature[p][q][a][b], wide.curvature[p][q][a][b].lane(lane));
+                            assert_eq!(response.hessian[p][q][a][b], wide.hessian[p][q][a][b].lane(lane));
                         }
                     }
                 }

@@ -73,23 +73,23 @@ fn energy_and_gradient<S: Scalar>(name: &str) -> Kernel {
     })
 }
 
-fn curvature<S: Scalar>(name: &str) -> Kernel {
+fn with_hessian<S: Scalar>(name: &str) -> Kernel {
     let grid = Grid::<2>::of_level(LEVEL);
     let (mut assembler, u) = (assembler::<S>(LEVEL), displacement(grid));
     let mut gradient = vec![0.0; u.len()];
     let mut multigrid = Multigrid::new(grid);
     Kernel::new(name, grid.cell_count(), move || {
-        std::hint::black_box(ready(assembler.curvature(&u, &mut gradient, multigrid.operator_mut())));
+        std::hint::black_box(ready(assembler.hessian(&u, &mut gradient, multigrid.operator_mut())));
     })
 }
 
-/// A hierarchy over a real Hessian, with the gradient.
+/// A hierarchy over a real hessian, with the gradient.
 fn hessian(level: u32) -> (Multigrid<2>, Vec<f64>) {
     let grid = Grid::<2>::of_level(level);
     let (mut assembler, u) = (assembler::<F64x2>(level), displacement(grid));
     let mut gradient = vec![0.0; u.len()];
     let mut multigrid = Multigrid::new(grid);
-    ready(assembler.curvature(&u, &mut gradient, multigrid.operator_mut()));
+    ready(assembler.hessian(&u, &mut gradient, multigrid.operator_mut()));
     multigrid.prepare();
     (multigrid, gradient)
 }
@@ -173,8 +173,8 @@ pub fn kernels() -> Vec<Kernel> {
     let mut kernels = vec![
         energy_and_gradient::<F64x2>("energy + gradient"),
         energy_and_gradient::<f64>("energy + gradient, one lane"),
-        curvature::<F64x2>("energy + gradient + curvature"),
-        curvature::<f64>("energy + gradient + curvature, one lane"),
+        with_hessian::<F64x2>("energy + gradient + hessian"),
+        with_hessian::<f64>("energy + gradient + hessian, one lane"),
     ];
     let (mut assembler, u) = (assembler::<F64x2>(LEVEL), displacement(grid));
     kernels.push(Kernel::new("energy", cells, move || {

@@ -52,20 +52,20 @@ impl<S: Scalar, const D: usize> Band<S, D> {
             for point in 0..Self::POINTS {
                 let mut value = 0.0;
                 let mut gradient = [0.0; D];
-                let mut hessian = [[0.0; D]; D];
+                let mut curvature = [[0.0; D]; D];
                 for corner in 0..Grid::<D>::CORNERS {
                     let (share, jet) = (rule.shape[point][corner], &jets[base + offsets[corner]]);
                     value += share * jet.value;
                     for a in 0..D {
                         gradient[a] += share * jet.gradient[a];
                         for b in 0..D {
-                            hessian[a][b] += share * jet.hessian[a][b];
+                            curvature[a][b] += share * jet.curvature[a][b];
                         }
                     }
                 }
                 let weight = functional.cutoff.weight(value / functional.bandwidth) * rule.weight[point] * volume;
                 touched |= weight > 0.0;
-                push_sample(&mut cell_rows, weight, value, gradient, &hessian);
+                push_sample(&mut cell_rows, weight, value, gradient, &curvature);
             }
             if touched {
                 cells.push(base);
@@ -107,7 +107,7 @@ fn push_sample<const D: usize>(
     weight: f64,
     distance: f64,
     gradient: [f64; D],
-    hessian: &[[f64; D]; D],
+    curvature: &[[f64; D]; D],
 ) {
     let length = dot(&gradient, &gradient).sqrt();
     // On the skeleton the gradient vanishes and no direction is right: any unit vector serves.
@@ -118,7 +118,7 @@ fn push_sample<const D: usize>(
     };
     let tangents = frame(&normal);
     let along = |i: usize, j: usize| -> f64 {
-        (0..D).map(|a| (0..D).map(|b| tangents[i][a] * hessian[a][b] * tangents[j][b]).sum::<f64>()).sum()
+        (0..D).map(|a| (0..D).map(|b| tangents[i][a] * curvature[a][b] * tangents[j][b]).sum::<f64>()).sum()
     };
     let mut tangential = 0.0;
     for i in 0..D - 1 {
@@ -126,8 +126,8 @@ fn push_sample<const D: usize>(
             tangential += along(i, j).powi(2);
         }
     }
-    let trace = (0..D).map(|k| hessian[k][k]).sum();
-    row.extend([weight, distance, frobenius(hessian) - tangential, trace]);
+    let trace = (0..D).map(|k| curvature[k][k]).sum();
+    row.extend([weight, distance, frobenius(curvature) - tangential, trace]);
     for tangent in tangents.iter().take(D - 1) {
         row.extend_from_slice(tangent);
     }
@@ -164,11 +164,11 @@ impl<S: Scalar, const D: usize> ReferenceSample<S, D> {
     }
 }
 
-/// The template's distance and fitted Hessian at the nodes, to be sampled anywhere.
+/// The template's distance and fitted second derivative at the nodes, to be sampled anywhere.
 pub(super) struct TemplateField<const D: usize> {
     grid: Grid<D>,
     offsets: [usize; MAX_CORNERS],
-    /// By node: the distance, then the Hessian's upper triangle.
+    /// By node: the distance, then the second derivative's upper triangle.
     values: Vec<f64>,
 }
 
@@ -181,14 +181,14 @@ impl<const D: usize> TemplateField<D> {
         for jet in quadratic_fit(grid, template.values(), fit_radius) {
             values.push(jet.value);
             for a in 0..D {
-                values.extend_from_slice(&jet.hessian[a][a..]);
+                values.extend_from_slice(&jet.curvature[a][a..]);
             }
         }
         Self { grid, offsets: grid.corner_offsets(), values }
     }
 
     /// The jet at a point a lane. Beyond the box the distance goes on as the boundary cell's polynomial, while the
-    /// Hessian keeps its value at the nearest point of the box: extrapolated second derivatives grow wild.
+    /// second derivative keeps its value at the nearest point of the box: extrapolated second derivatives grow wild.
     #[inline(always)]
     pub fn sample<S: Scalar, const ORDER: u8>(&self, point: &Vector<S, D>) -> TemplateJet<S, D> {
         let (zero, one) = (S::zero(), S::splat(1.0));
@@ -223,8 +223,8 @@ impl<const D: usize> TemplateField<D> {
         let mut jet = TemplateJet {
             distance: zero,
             gradient: [zero; D],
-            hessian: [[zero; D]; D],
-            hessian_slope: [[[zero; D]; D]; D],
+            curvature: [[zero; D]; D],
+            curvature_slope: [[[zero; D]; D]; D],
         };
         for corner in 0..Grid::<D>::CORNERS {
             let rows: [&[f64]; 2] = std::array::from_fn(|lane| {
@@ -242,10 +242,10 @@ impl<const D: usize> TemplateField<D> {
             for a in 0..D {
                 for b in a..D {
                     let entry = S::gather(|lane| rows[lane][k]);
-                    jet.hessian[a][b] += clamped.value[corner] * entry;
+                    jet.curvature[a][b] += clamped.value[corner] * entry;
                     if ORDER >= GRADIENT {
                         for axis in 0..D {
-                            jet.hessian_slope[axis][a][b] += clamped.derivative[corner][axis] * entry;
+                            jet.curvature_slope[axis][a][b] += clamped.derivative[corner][axis] * entry;
                         }
                     }
                     k += 1;
@@ -254,7 +254,7 @@ impl<const D: usize> TemplateField<D> {
         }
         for a in 0..D {
             for b in a..D {
-                jet.hessian[b][a] = jet.hessian[a][b];
+                jet.curvature[b][a] = jet.curvature[a][b];
             }
         }
         if ORDER >= GRADIENT {
@@ -263,8 +263,8 @@ impl<const D: usize> TemplateField<D> {
                 let scale = cells * inside[axis];
                 for a in 0..D {
                     for b in a..D {
-                        jet.hessian_slope[axis][a][b] = jet.hessian_slope[axis][a][b] * scale;
-                        jet.hessian_slope[axis][b][a] = jet.hessian_slope[axis][a][b];
+                        jet.curvature_slope[axis][a][b] = jet.curvature_slope[axis][a][b] * scale;
+                        jet.curvature_slope[axis][b][a] = jet.curvature_slope[axis][a][b];
                     }
                 }
             }

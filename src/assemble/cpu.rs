@@ -10,7 +10,7 @@ mod volume;
 use super::band::{Band, TemplateField};
 use super::{Assembler, Evaluation};
 use crate::distance::SignedDistance;
-use crate::energy::{CURVATURE, Energies, Functional, GRADIENT, VALUE};
+use crate::energy::{Energies, Functional, GRADIENT, HESSIAN, VALUE};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::Rule;
 use crate::small::{F32x4, F64x2, Scalar};
@@ -49,7 +49,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         };
         let volume_weight = (0..grid.cell_count())
             .map(|cell| {
-                let softness = if inside(cell) { 1.0 } else { functional.interior };
+                let softness = if inside(cell) { 1.0 } else { functional.softness };
                 functional.volume * softness * cell_volume
             })
             .collect();
@@ -117,9 +117,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             if let Some(operator) = operator {
                 // The operator is f32, and so may be what goes into it: four cells at a time instead of two.
                 if D == 2 {
-                    self.planar_curvature_pass::<F32x4, C>(displacement, operator);
+                    self.planar_hessian_pass::<F32x4, C>(displacement, operator);
                 } else {
-                    self.volume_curvature_pass::<F32x4, C>(displacement, operator);
+                    self.volume_hessian_pass::<F32x4, C>(displacement, operator);
                 }
             }
         }
@@ -140,12 +140,12 @@ impl<const D: usize, S: Scalar> Assembler<D> for CpuAssembler<D, S> {
         self.evaluate::<GRADIENT>(displacement, gradient, &mut None)
     }
 
-    async fn curvature(
+    async fn hessian(
         &mut self,
         displacement: &[f64],
         gradient: &mut [f64],
         operator: &mut StencilOperator<D>,
     ) -> Evaluation {
-        self.evaluate::<CURVATURE>(displacement, gradient, &mut Some(operator))
+        self.evaluate::<HESSIAN>(displacement, gradient, &mut Some(operator))
     }
 }

@@ -1,4 +1,4 @@
-use super::{CURVATURE, GRADIENT, Point, Response, Term};
+use super::{GRADIENT, HESSIAN, Point, Response, Term};
 use crate::small::{Scalar, apply, dot};
 
 /// Penalises the change of the shape operator under the deformation.
@@ -7,7 +7,7 @@ use crate::small::{Scalar, apply, dot};
 ///
 /// W = Σ_ij r_ij² + const,  r_ij = v_iᵀ D²d₂(y) v_j − κ_ij,
 /// ∂W/∂v_i = 4 Σ_j r_ij D²d₂ v_j,  ∂W/∂y_k = 2 Σ_ij r_ij v_iᵀ ∂_k D²d₂ v_j,
-/// curvature (Gauss–Newton) 2 Σ_ij ∇r_ij ⊗ ∇r_ij.
+/// hessian (Gauss–Newton) 2 Σ_ij ∇r_ij ⊗ ∇r_ij.
 /// The constant is the part of |D²d₁|² off the tangent space: the fitted D²d₁ is not exactly tangential.
 /// Units: length⁻².  Source: eq. (3).
 pub struct Bending;
@@ -19,7 +19,7 @@ impl<const D: usize> Term<D> for Bending {
         let template = &point.template;
         let mut bent = [[S::zero(); D]; D];
         for j in 0..y {
-            bent[j] = apply(&template.hessian, &v[j]);
+            bent[j] = apply(&template.curvature, &v[j]);
         }
         let mut value = point.reference.off_tangential;
         for i in 0..y {
@@ -36,7 +36,7 @@ impl<const D: usize> Term<D> for Bending {
                     direction[i][a] += bent[j][a];
                     direction[j][a] += bent[i][a];
                 }
-                for (k, slope) in template.hessian_slope.iter().enumerate() {
+                for (k, slope) in template.curvature_slope.iter().enumerate() {
                     direction[y][k] = dot(&v[i], &apply(slope, &v[j]));
                 }
                 let twice = (weight + weight) * count;
@@ -46,7 +46,7 @@ impl<const D: usize> Term<D> for Bending {
                         response.gradient[p][a] += slope * direction[p][a];
                     }
                 }
-                if ORDER >= CURVATURE {
+                if ORDER >= HESSIAN {
                     response.add_outer(twice, &direction);
                 }
             }
@@ -57,7 +57,7 @@ impl<const D: usize> Term<D> for Bending {
 
 /// Penalises the change of the mean curvature alone, the simpler alternative to [`Bending`].
 ///
-/// W(y) = (tr D²d₂(y) − tr D²d₁)²,  ∂W/∂y_k = 2 r tr ∂_k D²d₂,  curvature (Gauss–Newton) 2 ∇r ⊗ ∇r.
+/// W(y) = (tr D²d₂(y) − tr D²d₁)²,  ∂W/∂y_k = 2 r tr ∂_k D²d₂,  hessian (Gauss–Newton) 2 ∇r ⊗ ∇r.
 /// Units: length⁻².  Source: eq. (10).
 pub struct MeanCurvature;
 
@@ -72,10 +72,10 @@ impl<const D: usize> Term<D> for MeanCurvature {
             }
             sum
         };
-        let residual = trace(&point.template.hessian) - point.reference.trace;
+        let residual = trace(&point.template.curvature) - point.reference.trace;
         if ORDER >= GRADIENT {
             let mut direction = [[S::zero(); D]; D];
-            for (k, slope) in point.template.hessian_slope.iter().enumerate() {
+            for (k, slope) in point.template.curvature_slope.iter().enumerate() {
                 direction[y][k] = trace(slope);
             }
             let twice = weight + weight;
@@ -83,10 +83,10 @@ impl<const D: usize> Term<D> for MeanCurvature {
             for k in 0..D {
                 response.gradient[y][k] += slope * direction[y][k];
             }
-            if ORDER >= CURVATURE {
+            if ORDER >= HESSIAN {
                 for a in 0..D {
                     for b in 0..D {
-                        response.curvature[y][y][a][b] += twice * direction[y][a] * direction[y][b];
+                        response.hessian[y][y][a][b] += twice * direction[y][a] * direction[y][b];
                     }
                 }
             }

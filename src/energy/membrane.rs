@@ -1,5 +1,5 @@
-use super::spectral::{by_lane, membrane_curvature};
-use super::{CURVATURE, GRADIENT, Material, Point, Response, Term};
+use super::spectral::{by_lane, membrane_hessian};
+use super::{GRADIENT, HESSIAN, Material, Point, Response, Term};
 use crate::small::{Scalar, dot};
 
 /// Penalises stretching and squeezing within the shell.
@@ -45,19 +45,19 @@ impl<const D: usize> Term<D> for Membrane {
                 }
             }
         }
-        if ORDER >= CURVATURE {
+        if ORDER >= HESSIAN {
             if D == 2 {
                 let across = (mu + slope + slope).max(S::zero());
                 let along = mu + slope + slope + S::splat(4.0) * det * bend;
                 let difference = weight * (along - across) / det;
                 for a in 0..D {
-                    response.curvature[0][0][a][a] += weight * across;
+                    response.hessian[0][0][a][a] += weight * across;
                     for b in 0..D {
-                        response.curvature[0][0][a][b] += difference * v[0][a] * v[0][b];
+                        response.hessian[0][0][a][b] += difference * v[0][a] * v[0][b];
                     }
                 }
             } else {
-                by_lane(weight, v, response, |v| membrane_curvature(material, v));
+                by_lane(weight, v, response, |v| membrane_hessian(material, v));
             }
         }
         S::splat(0.5) * mu * trace + g

@@ -1,9 +1,9 @@
-use super::{CURVATURE, GRADIENT, Point, Response, Term};
+use super::{GRADIENT, HESSIAN, Point, Response, Term};
 use crate::small::Scalar;
 
 /// Penalises the distance between the moved reference and the template.
 ///
-/// W(y) = (d₂(y) − d₁)²,  ∂W/∂y = 2 (d₂ − d₁) ∇d₂,  curvature (Gauss–Newton) 2 ∇d₂ ⊗ ∇d₂.
+/// W(y) = (d₂(y) − d₁)²,  ∂W/∂y = 2 (d₂ − d₁) ∇d₂,  hessian (Gauss–Newton) 2 ∇d₂ ⊗ ∇d₂.
 /// Units: length².  Source: eq. (6).
 pub struct Mismatch;
 
@@ -18,11 +18,11 @@ impl<const D: usize> Term<D> for Mismatch {
                 response.gradient[y][a] += slope * point.template.gradient[a];
             }
         }
-        if ORDER >= CURVATURE {
+        if ORDER >= HESSIAN {
             let twice = weight + weight;
             for a in 0..D {
                 for b in 0..D {
-                    response.curvature[y][y][a][b] += twice * point.template.gradient[a] * point.template.gradient[b];
+                    response.hessian[y][y][a][b] += twice * point.template.gradient[a] * point.template.gradient[b];
                 }
             }
         }

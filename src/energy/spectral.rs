@@ -18,22 +18,22 @@ use crate::small::{Scalar, Vector, dot};
 type Slots<const D: usize> = [Vector<f64, D>; D];
 type Blocks<const D: usize> = [[[[f64; D]; D]; D]; D];
 
-/// Evaluates a scalar curvature lane by lane and adds it to the response.
+/// Evaluates a scalar hessian lane by lane and adds it to the response.
 pub(super) fn by_lane<S: Scalar, const D: usize>(
     weight: S,
     slots: &[Vector<S, D>; D],
     response: &mut Response<S, D>,
-    curvature: impl Fn(&Slots<D>) -> Blocks<D>,
+    hessian: impl Fn(&Slots<D>) -> Blocks<D>,
 ) {
     let mut lanes = [[[[[0.0; D]; D]; D]; D]; 4];
     for (lane, blocks) in lanes.iter_mut().enumerate().take(S::LANES) {
-        *blocks = curvature(&slots.map(|v| v.map(|x| x.lane(lane))));
+        *blocks = hessian(&slots.map(|v| v.map(|x| x.lane(lane))));
     }
     for p in 0..D {
         for q in p..D {
             for a in 0..D {
                 for b in 0..D {
-                    response.curvature[p][q][a][b] += weight * S::gather(|lane| lanes[lane][p][q][a][b]);
+                    response.hessian[p][q][a][b] += weight * S::gather(|lane| lanes[lane][p][q][a][b]);
                 }
             }
         }
@@ -46,8 +46,8 @@ fn dilation_of_j(material: &Material, j: f64) -> (f64, f64) {
     (2.0 * j * slope, 2.0 * slope + 4.0 * j * j * bend)
 }
 
-/// The projected curvature of the volume density at F (by slots), D = 3.
-pub(super) fn volume_curvature<const D: usize>(material: &Material, f: &Slots<D>) -> Blocks<D> {
+/// The projected hessian of the volume density at F (by slots), D = 3.
+pub(super) fn volume_hessian<const D: usize>(material: &Material, f: &Slots<D>) -> Blocks<D> {
     let mut gram = [[0.0; 3]; 3];
     for a in 0..3 {
         for b in 0..3 {
@@ -79,8 +79,8 @@ pub(super) fn volume_curvature<const D: usize>(material: &Material, f: &Slots<D>
     blocks
 }
 
-/// The projected curvature of the membrane density at the two tangential slots, D = 3.
-pub(super) fn membrane_curvature<const D: usize>(material: &Material, slots: &Slots<D>) -> Blocks<D> {
+/// The projected hessian of the membrane density at the two tangential slots, D = 3.
+pub(super) fn membrane_hessian<const D: usize>(material: &Material, slots: &Slots<D>) -> Blocks<D> {
     let v = [&slots[0], &slots[1]];
     let mut gram = [[0.0; 3]; 3];
     for i in 0..2 {

@@ -1,5 +1,5 @@
-use super::spectral::{by_lane, volume_curvature};
-use super::{CURVATURE, GRADIENT, Material, Point, Response, Term};
+use super::spectral::{by_lane, volume_hessian};
+use super::{GRADIENT, HESSIAN, Material, Point, Response, Term};
 use crate::small::{Matrix, Scalar, cofactor, determinant, frobenius};
 
 /// Penalises the deformation of the surrounding space; infinite where it would fold.
@@ -29,12 +29,12 @@ impl<const D: usize> Term<D> for Volume {
                 }
             }
         }
-        if ORDER >= CURVATURE {
+        if ORDER >= HESSIAN {
             if D == 2 {
                 let bulk = slope + slope + S::splat(4.0) * det * det * bend;
-                planar_curvature(weight, f, mu, twist, bulk, &mut response.curvature);
+                planar_hessian(weight, f, mu, twist, bulk, &mut response.hessian);
             } else {
-                by_lane(weight, f, response, |f| volume_curvature(material, f));
+                by_lane(weight, f, response, |f| volume_hessian(material, f));
             }
         }
         S::splat(0.5) * mu * frobenius(f) + g
@@ -43,13 +43,13 @@ impl<const D: usize> Term<D> for Volume {
 
 /// Adds the projected second derivative of μ/2|F|² + k(det F), with k′ and k″ given, for D = 2.
 #[inline(always)]
-fn planar_curvature<S: Scalar, const D: usize>(
+fn planar_hessian<S: Scalar, const D: usize>(
     weight: S,
     f: &Matrix<S, D>,
     mu: S,
     first: S,
     second: S,
-    curvature: &mut [[Matrix<S, D>; D]; D],
+    hessian: &mut [[Matrix<S, D>; D]; D],
 ) {
     let (zero, half, tiny) = (S::zero(), S::splat(0.5), S::splat(1e-30));
     let root = S::splat(std::f64::consts::FRAC_1_SQRT_2);
@@ -83,18 +83,18 @@ fn planar_curvature<S: Scalar, const D: usize>(
     // Back to the entries: F₀₀ = (z₀+z₂)/√2, F₁₁ = (z₀−z₂)/√2, F₀₁ = (z₁+z₃)/√2, F₁₀ = (z₃−z₁)/√2.
     let w = weight * half;
     let two = |x: S| x + x;
-    curvature[0][0][0][0] += w * (p[0] + two(cross[0][0]) + m[0]);
-    curvature[1][1][1][1] += w * (p[0] - two(cross[0][0]) + m[0]);
-    curvature[0][0][1][1] += w * (p[2] + two(cross[1][1]) + m[2]);
-    curvature[1][1][0][0] += w * (p[2] - two(cross[1][1]) + m[2]);
+    hessian[0][0][0][0] += w * (p[0] + two(cross[0][0]) + m[0]);
+    hessian[1][1][1][1] += w * (p[0] - two(cross[0][0]) + m[0]);
+    hessian[0][0][1][1] += w * (p[2] + two(cross[1][1]) + m[2]);
+    hessian[1][1][0][0] += w * (p[2] - two(cross[1][1]) + m[2]);
     let off = w * (p[1] + cross[0][1] + cross[1][0] + m[1]);
-    curvature[0][0][0][1] += off;
-    curvature[0][0][1][0] += off;
+    hessian[0][0][0][1] += off;
+    hessian[0][0][1][0] += off;
     let off = w * (-p[1] + cross[0][1] + cross[1][0] - m[1]);
-    curvature[1][1][0][1] += off;
-    curvature[1][1][1][0] += off;
-    curvature[0][1][0][0] += w * (-p[1] + cross[0][1] - cross[1][0] + m[1]);
-    curvature[0][1][0][1] += w * (p[0] - m[0]);
-    curvature[0][1][1][0] += w * (m[2] - p[2]);
-    curvature[0][1][1][1] += w * (p[1] + cross[0][1] - cross[1][0] - m[1]);
+    hessian[1][1][0][1] += off;
+    hessian[1][1][1][0] += off;
+    hessian[0][1][0][0] += w * (-p[1] + cross[0][1] - cross[1][0] + m[1]);
+    hessian[0][1][0][1] += w * (p[0] - m[0]);
+    hessian[0][1][1][0] += w * (m[2] - p[2]);
+    hessian[0][1][1][1] += w * (p[1] + cross[0][1] - cross[1][0] - m[1]);
 }

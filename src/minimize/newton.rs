@@ -19,15 +19,15 @@ const MAX_HALVINGS: usize = 6;
 /// A step leaves at least this share of the least determinant: next to a fold the quadratic model is worthless, and
 /// a weak volume energy would not keep the iterates away from there.
 const DETERMINANT_KEPT: f64 = 0.2;
-/// Relative decrease of the energy below which the next iteration keeps the curvature there is: assembling it anew costs
+/// Relative decrease of the energy below which the next iteration keeps the hessian there is: assembling it anew costs
 /// more than everything else in an iteration and would change the direction by no more than that.
 const SETTLED: f64 = 1e-3;
 /// Levenberg shifts, in units of the mean diagonal entry; none at first.
 const FIRST_SHIFT: f32 = 1e-3;
-/// One nearly folded cell can be this much stiffer than the mean; only its own curvature makes its step short enough.
+/// One nearly folded cell can be this much stiffer than the mean; only its own hessian makes its step short enough.
 const LAST_SHIFT: f32 = 1e12;
 
-/// Solves (H + s·I) d = ∇E, H the positive semi-definite curvature, and goes against d as far as the energy falls.
+/// Solves (H + s·I) d = ∇E, H the positive semi-definite hessian, and goes against d as far as the energy falls.
 pub struct Newton<const D: usize> {
     multigrid: Multigrid<D>,
     displacement: Vec<f64>,
@@ -35,7 +35,7 @@ pub struct Newton<const D: usize> {
     gradient: Vec<f64>,
     direction: Vec<f64>,
     shift: f32,
-    /// The curvature of an iteration before still serves.
+    /// The hessian of an iteration before still serves.
     settled: bool,
     decrease: Decrease,
     progress: Option<Progress>,
@@ -130,7 +130,7 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
         }
         if moved.is_none() {
             let operator = self.multigrid.operator_mut();
-            let before = assembler.curvature(&self.displacement, &mut self.gradient, operator).await;
+            let before = assembler.hessian(&self.displacement, &mut self.gradient, operator).await;
             progress.evaluation = before;
             let mut mean = None;
             let mut added = 0.0;

@@ -103,7 +103,7 @@ impl Default for Settings {
             thickness: chosen.thickness,
             penalty: chosen.penalty,
             volume: chosen.volume,
-            interior: chosen.interior,
+            interior: chosen.softness,
             lambda: chosen.material.lambda,
             mu: chosen.material.mu,
             bandwidth: chosen.bandwidth,
@@ -146,7 +146,7 @@ impl Settings {
             thickness: self.thickness,
             penalty: self.penalty,
             volume: self.volume,
-            interior: self.interior,
+            softness: self.interior,
             material: Material { lambda: self.lambda, mu: self.mu },
             bandwidth: self.bandwidth,
             cutoff: match self.cutoff {

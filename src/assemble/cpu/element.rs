@@ -11,7 +11,7 @@ pub(super) const MAX_COLUMNS: usize = 9;
 pub(super) type Edges<S, const D: usize> = [[Vector<S, D>; MAX_EDGES]; D];
 pub(super) type Columns<S, const D: usize> = [[Vector<S, D>; MAX_COLUMNS]; D];
 pub(super) type Corners<S, const D: usize> = [Vector<S, D>; MAX_CORNERS];
-/// The curvature of a cell: `pairs[a][b]` is the block of corners a ≤ b.
+/// The hessian of a cell: `pairs[a][b]` is the block of corners a ≤ b.
 pub(super) type Pairs<S, const D: usize, const C: usize> = [[Matrix<S, D>; C]; C];
 
 /// (u_high − u_low)/h along every edge.

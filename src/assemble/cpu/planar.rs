@@ -12,7 +12,7 @@
 use super::CpuAssembler;
 use super::bilinear::{Cell, Line, combined, cross, to_corners, transposed, turned};
 use super::element::Pairs;
-use crate::energy::{CURVATURE, Energies, GRADIENT, Point, Response, Term, Volume};
+use crate::energy::{Energies, GRADIENT, HESSIAN, Point, Response, Term, Volume};
 use crate::small::{Scalar, Vector, add_scaled, dot};
 use crate::stencil::StencilOperator;
 
@@ -62,8 +62,8 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         least.least()
     }
 
-    /// What [`volume_curvature_pass`](Self::volume_curvature_pass) adds, for D = 2.
-    pub(super) fn planar_curvature_pass<T: Scalar, const C: usize>(
+    /// What [`volume_hessian_pass`](Self::volume_hessian_pass) adds, for D = 2.
+    pub(super) fn planar_hessian_pass<T: Scalar, const C: usize>(
         &self,
         displacement: &[f64],
         operator: &mut StencilOperator<D>,
@@ -148,7 +148,7 @@ impl Volume {
     }
 }
 
-/// Adds the curvature of a pack of cells: by (a, b, c) first, then handed to the corners from both sides.
+/// Adds the hessian of a pack of cells: by (a, b, c) first, then handed to the corners from both sides.
 #[inline(always)]
 fn add_cell_pairs<T: Scalar, const D: usize, const C: usize>(
     volume: &Volume,
@@ -165,38 +165,38 @@ fn add_cell_pairs<T: Scalar, const D: usize, const C: usize>(
         slots[0] = add_scaled(&cell.a, t, &cell.c);
         slots[1] = add_scaled(&cell.b, s, &cell.c);
         let mut response = Response::zero();
-        volume.add::<T, CURVATURE>(weight, &Point::of_slots(slots), &mut response);
-        response.curvature
+        volume.add::<T, HESSIAN>(weight, &Point::of_slots(slots), &mut response);
+        response.hessian
     };
     let points = [at(-o, -o), at(o, -o), at(-o, o), at(o, o)];
     // The sum over the points of slots p and q, and its moments by s/o, t/o and st/o².
     let moments = |p: usize, q: usize, k: usize, l: usize| {
-        let [x, y, z, w] = points.map(|curvature| curvature[p][q][k][l]);
+        let [x, y, z, w] = points.map(|hessian| hessian[p][q][k][l]);
         let (low, high, left, right) = (x + y, z + w, y - x, w - z);
         [low + high, left + right, high - low, right - left]
     };
     // Corners move a and b by half of what they move along.
     let (quarter, half_o, squared) = (T::splat(0.25), T::splat(0.5) * o, o * o);
-    let mut curvature = [[[[T::zero(); D]; D]; 3]; 3];
+    let mut hessian = [[[[T::zero(); D]; D]; 3]; 3];
     for k in 0..D {
         for l in 0..D {
             let (aa, ab, bb, ba) = (moments(0, 0, k, l), moments(0, 1, k, l), moments(1, 1, k, l), moments(0, 1, l, k));
-            curvature[0][0][k][l] = quarter * aa[0];
-            curvature[0][1][k][l] = quarter * ab[0];
-            curvature[1][1][k][l] = quarter * bb[0];
-            curvature[0][2][k][l] = half_o * (aa[2] + ab[1]);
-            curvature[1][2][k][l] = half_o * (ba[2] + bb[1]);
-            curvature[2][2][k][l] = squared * (aa[0] + bb[0] + ab[3] + ba[3]);
+            hessian[0][0][k][l] = quarter * aa[0];
+            hessian[0][1][k][l] = quarter * ab[0];
+            hessian[1][1][k][l] = quarter * bb[0];
+            hessian[0][2][k][l] = half_o * (aa[2] + ab[1]);
+            hessian[1][2][k][l] = half_o * (ba[2] + bb[1]);
+            hessian[2][2][k][l] = squared * (aa[0] + bb[0] + ab[3] + ba[3]);
         }
     }
     for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-        curvature[q][p] = transposed(&curvature[p][q]);
+        hessian[q][p] = transposed(&hessian[p][q]);
     }
     for k in 0..D {
         for l in 0..D {
             let mut moved = [[T::zero(); 4]; 3];
             for p in 0..3 {
-                moved[p] = to_corners(curvature[p][0][k][l], curvature[p][1][k][l], curvature[p][2][k][l]);
+                moved[p] = to_corners(hessian[p][0][k][l], hessian[p][1][k][l], hessian[p][2][k][l]);
             }
             for second in 0..C {
                 let column = to_corners(moved[0][second], moved[1][second], moved[2][second]);
@@ -260,11 +260,11 @@ mod tests {
     }
 
     #[test]
-    fn the_curvature_is_that_of_the_general_pass() {
+    fn the_hessian_is_that_of_the_general_pass() {
         let (assembler, displacement) = example(0.0);
         let [mut found, mut expected] = [0, 1].map(|_| StencilOperator::zero(assembler.grid));
-        assembler.planar_curvature_pass::<f64, 4>(&displacement, &mut found);
-        assembler.volume_curvature_pass::<f64, 4>(&displacement, &mut expected);
+        assembler.planar_hessian_pass::<f64, 4>(&displacement, &mut found);
+        assembler.volume_hessian_pass::<f64, 4>(&displacement, &mut expected);
         let size = expected.blocks().iter().fold(0.0_f32, |most, x| most.max(x.abs()));
         let pairs = found.blocks().iter().zip(expected.blocks());
         pairs.for_each(|(a, b)| close((*a).into(), (*b).into(), size.into(), 1e-5));

@@ -5,7 +5,7 @@ use super::element::{
     MAX_COLUMNS, MAX_EDGES, Pairs, columns_of, edge_differences, edge_forces_to_corners, slots_at, stress_to_edges,
 };
 use crate::assemble::band::ReferenceSample;
-use crate::energy::{CURVATURE, Energies, GRADIENT, Point, Response};
+use crate::energy::{Energies, GRADIENT, HESSIAN, Point, Response};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::{Rule, edge_ends};
 use crate::small::{Scalar, Vector, add_scaled};
@@ -74,7 +74,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                         corner_forces[corner] = add_scaled(&corner_forces[corner], shape, &response.gradient[D - 1]);
                     }
                 }
-                if ORDER >= CURVATURE {
+                if ORDER >= HESSIAN {
                     self.add_shell_pairs(&mut pairs, point, &sample.tangents, &response, inverse);
                 }
             }
@@ -84,7 +84,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 edge_forces_to_corners(&forces, inverse, &mut corner_forces);
                 self.scatter(&corner_forces, nodes, gradient);
             }
-            if ORDER >= CURVATURE
+            if ORDER >= HESSIAN
                 && let Some(operator) = operator
             {
                 self.scatter_pairs(&pairs, |lane| nodes[lane], operator);
@@ -129,7 +129,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                     for i in 0..D {
                         for j in 0..D {
                             let entry =
-                                if p <= q { response.curvature[p][q][i][j] } else { response.curvature[q][p][j][i] };
+                                if p <= q { response.hessian[p][q][i][j] } else { response.hessian[q][p][j][i] };
                             moved[p][i][j] += values[b][q] * entry;
                         }
                     }

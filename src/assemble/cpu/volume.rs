@@ -5,7 +5,7 @@ use super::element::{
     Columns, Edges, MAX_COLUMNS, MAX_EDGES, add_edge_pair, columns_of, edge_differences, edge_forces_to_corners,
     slots_at, stress_to_edges,
 };
-use crate::energy::{CURVATURE, Energies, GRADIENT, Point, Response, Term, VALUE, Volume};
+use crate::energy::{Energies, GRADIENT, HESSIAN, Point, Response, Term, VALUE, Volume};
 use crate::grid::MAX_CORNERS;
 use crate::quadrature::{Rule, edge_ends};
 use crate::small::{Scalar, add_scaled, determinant};
@@ -75,7 +75,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             let weight = weight * S::splat(rule.weight[point]);
             let slots = slots_at(rule, columns, point);
             let mut response = Response::zero();
-            // The curvature has a rule of its own, see `volume_curvature_pass`.
+            // The hessian has a rule of its own, see `volume_hessian_pass`.
             energy += weight
                 * if ORDER == VALUE {
                     volume.add::<S, VALUE>(weight, &Point::of_slots(slots), &mut response)
@@ -95,9 +95,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         energy
     }
 
-    /// The volume's curvature over all cells, `T` lanes at a time. 2^D Gauss points suffice: they leave no mode of a cell
-    /// without curvature, and the minimiser needs as many iterations as with 3^D.
-    pub(super) fn volume_curvature_pass<T: Scalar, const C: usize>(
+    /// The volume's hessian over all cells, `T` lanes at a time. 2^D Gauss points suffice: they leave no mode of a cell
+    /// without hessian, and the minimiser needs as many iterations as with 3^D.
+    pub(super) fn volume_hessian_pass<T: Scalar, const C: usize>(
         &self,
         displacement: &[f64],
         operator: &mut StencilOperator<D>,
@@ -122,13 +122,13 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             }
             let columns = columns_of(rule, &edges);
             let scaled = T::gather(|lane| weights[lane] * cells * cells);
-            let mut curvatures = [[[[[T::zero(); D]; D]; D]; D]; C];
-            for (point, curvature) in curvatures.iter_mut().enumerate() {
+            let mut hessians = [[[[[T::zero(); D]; D]; D]; D]; C];
+            for (point, hessian) in hessians.iter_mut().enumerate() {
                 let mut response = Response::zero();
                 let slots = slots_at(rule, &columns, point);
                 let weight = scaled * T::splat(rule.weight[point]);
-                volume.add::<T, CURVATURE>(weight, &Point::of_slots(slots), &mut response);
-                *curvature = response.curvature;
+                volume.add::<T, HESSIAN>(weight, &Point::of_slots(slots), &mut response);
+                *hessian = response.hessian;
             }
             let mut pairs = [[[[T::zero(); D]; D]; C]; C];
             // A derivative of φ is an average over edges, so edge pairs are integrated and then handed to their ends.
@@ -137,12 +137,12 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                     for e in 0..Rule::<D, 2>::EDGES {
                         for f in 0..Rule::<D, 2>::EDGES {
                             let mut block = [[T::zero(); D]; D];
-                            for (point, curvature) in curvatures.iter().enumerate() {
+                            for (point, hessian) in hessians.iter().enumerate() {
                                 let column = &rule.column[point];
                                 let share = T::splat(rule.edge[column[p]][e] * rule.edge[column[q]][f]);
                                 for a in 0..D {
                                     for b in 0..D {
-                                        block[a][b] += share * curvature[p][q][a][b];
+                                        block[a][b] += share * hessian[p][q][a][b];
                                     }
                                 }
                             }

@@ -140,6 +140,15 @@ impl Material {
     }
 }
 
+/// What the membrane energy calls compression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MembraneModel {
+    /// Eq. (2): the shell's own, wherever it lies.
+    Intrinsic,
+    /// The part along the template's level sets: leaving them relieves nothing.
+    Projected,
+}
+
 /// Which bending energy is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BendingModel {

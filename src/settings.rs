@@ -1,6 +1,6 @@
 //! Everything that can be chosen for a registration, with its range.
 
-use crate::energy::{BendingModel, Cutoff, Functional, Material};
+use crate::energy::{BendingModel, Cutoff, Functional, Material, MembraneModel};
 use crate::error::Error;
 
 /// How the first deformation is found.
@@ -25,6 +25,7 @@ pub enum MinimizerKind {
 pub struct Settings {
     /// α_mem.
     pub membrane: f64,
+    pub membrane_model: MembraneModel,
     /// α_bend.
     pub bending: f64,
     pub bending_model: BendingModel,
@@ -32,6 +33,10 @@ pub struct Settings {
     pub thickness: f64,
     /// 1/ε on the coarsest level.
     pub penalty: f64,
+    /// ρ of the H¹ residual on the finest level, in cells of a level; 0 leaves it out, as the paper does.
+    pub tangency: f64,
+    /// Weight of the pins, in units of the penalty; 0 ignores them.
+    pub pin_weight: f64,
     /// ξ.
     pub volume: f64,
     /// ζ.
@@ -68,10 +73,13 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             membrane: 1.0,
+            membrane_model: MembraneModel::Intrinsic,
             bending: 1.0,
             bending_model: BendingModel::ShapeOperator,
             thickness: 0.5,
             penalty: 1e3,
+            tangency: 0.25,
+            pin_weight: 1.0,
             volume: 1e-3,
             softness: 1.0,
             material: Material { lambda: 2.0, mu: 0.25 },
@@ -107,6 +115,8 @@ impl Settings {
         at_least("bending", self.bending, 0.0)?;
         positive("thickness", self.thickness)?;
         positive("penalty", self.penalty)?;
+        between("tangency", self.tangency, 0.0, 10.0)?;
+        between("pinWeight", self.pin_weight, 0.0, 1e6)?;
         // Without volume energy nothing keeps the space around the shell from folding.
         positive("volume", self.volume)?;
         between("interior", self.softness, 1e-6, 1.0)?;

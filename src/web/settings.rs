@@ -1,6 +1,6 @@
 //! Settings from JavaScript.
 
-use crate::energy::{BendingModel, Cutoff, Material};
+use crate::energy::{BendingModel, Cutoff, Material, MembraneModel};
 use crate::error::Error;
 use crate::settings::{Alignment, MinimizerKind, Settings as Chosen};
 use js_sys::{Object, Reflect};
@@ -14,6 +14,8 @@ use wasm_bindgen::prelude::*;
 pub struct Settings {
     /// α_mem.
     membrane: f64,
+    #[tsify(type = "\"intrinsic\" | \"projected\"")]
+    membrane_model: Membrane,
     /// α_bend.
     bending: f64,
     #[tsify(type = "\"shape-operator\" | \"mean-curvature\"")]
@@ -22,6 +24,10 @@ pub struct Settings {
     thickness: f64,
     /// 1/ε on the coarsest level.
     penalty: f64,
+    /// ρ of the H¹ residual, in cells of a level; 0 is the paper.
+    tangency: f64,
+    /// In units of the penalty; 0 ignores the pins.
+    pin_weight: f64,
     /// ξ.
     volume: f64,
     /// ζ, softness outside the reference.
@@ -52,6 +58,13 @@ pub struct Settings {
     tolerance: f64,
     #[tsify(type = "\"cpu\" | \"auto\"")]
     backend: Backend,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Membrane {
+    Intrinsic,
+    Projected,
 }
 
 #[derive(Deserialize)]
@@ -95,6 +108,10 @@ impl Default for Settings {
         let chosen = Chosen::default();
         Self {
             membrane: chosen.membrane,
+            membrane_model: match chosen.membrane_model {
+                MembraneModel::Intrinsic => Membrane::Intrinsic,
+                MembraneModel::Projected => Membrane::Projected,
+            },
             bending: chosen.bending,
             bending_model: match chosen.bending_model {
                 BendingModel::ShapeOperator => Bending::ShapeOperator,
@@ -102,6 +119,8 @@ impl Default for Settings {
             },
             thickness: chosen.thickness,
             penalty: chosen.penalty,
+            tangency: chosen.tangency,
+            pin_weight: chosen.pin_weight,
             volume: chosen.volume,
             interior: chosen.softness,
             lambda: chosen.material.lambda,
@@ -138,6 +157,10 @@ impl Settings {
         let (Backend::Cpu | Backend::Auto) = self.backend;
         let settings = Chosen {
             membrane: self.membrane,
+            membrane_model: match self.membrane_model {
+                Membrane::Intrinsic => MembraneModel::Intrinsic,
+                Membrane::Projected => MembraneModel::Projected,
+            },
             bending: self.bending,
             bending_model: match self.bending_model {
                 Bending::ShapeOperator => BendingModel::ShapeOperator,
@@ -145,6 +168,8 @@ impl Settings {
             },
             thickness: self.thickness,
             penalty: self.penalty,
+            tangency: self.tangency,
+            pin_weight: self.pin_weight,
             volume: self.volume,
             softness: self.interior,
             material: Material { lambda: self.lambda, mu: self.mu },

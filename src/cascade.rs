@@ -5,6 +5,7 @@ mod start;
 
 use crate::assemble::{Assembler, CpuAssembler, Evaluation};
 use crate::distance::SignedDistance;
+use crate::energy::Energies;
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::inverse::invert;
@@ -13,6 +14,9 @@ use crate::prolongation::{coarsen, prolongate};
 use crate::settings::{Alignment, Settings};
 use level::Level;
 use std::cell::OnceCell;
+
+/// The multigrid works in single precision: energies, and with them squares of residuals, beyond this would overflow.
+const GREATEST_ENERGY: f64 = 1e18;
 
 /// A match with exchanged roles is kept if it is this close, root mean square in cells.
 const MISMATCH_KEPT: f64 = 0.5;
@@ -46,10 +50,11 @@ pub struct CascadeProgress {
 }
 
 impl<const D: usize> Cascade<D> {
-    /// Both shapes on the finest level's grid.
+    /// Both shapes on the finest level's grid. Starts on the first level that carries both shapes, with the thickness and penalty that this level would have had
+    /// after the coarser ones.
     ///
     /// # Errors
-    /// A setting out of range.
+    /// A setting out of range, or no finite energy to begin with.
     pub async fn new(
         reference: SignedDistance<D>,
         template: SignedDistance<D>,
@@ -60,7 +65,9 @@ impl<const D: usize> Cascade<D> {
         assert_eq!(template.grid(), reference.grid());
         let aligned = settings.alignment == Alignment::Similarity;
         let exchanged = aligned && start::is_shorter(&template, &reference);
-        Ok(Self::begin(reference, template, settings, exchanged).await)
+        let cascade = Self::begin(reference, template, settings, exchanged).await;
+        check_energy(&cascade.progress.evaluation)?;
+        Ok(cascade)
     }
 
     async fn begin(
@@ -69,7 +76,8 @@ impl<const D: usize> Cascade<D> {
         settings: Settings,
         exchanged: bool,
     ) -> Self {
-        let mut level = Level::new(settings.coarsest, &settings, [&reference, &template], exchanged, None);
+        let first = first_level(&settings, [&reference, &template]);
+        let mut level = Level::new(first, &settings, [&reference, &template], exchanged, None);
         let mut evaluations = 0;
         if settings.alignment == Alignment::Similarity {
             let shapes = if exchanged { [&template, &reference] } else { [&reference, &template] };
@@ -86,7 +94,7 @@ impl<const D: usize> Cascade<D> {
     /// settings. The cascade is unchanged if this fails.
     ///
     /// # Errors
-    /// A setting out of range.
+    /// A setting out of range, or no finite energy to begin with.
     pub async fn update(
         &mut self,
         reference: SignedDistance<D>,
@@ -96,7 +104,8 @@ impl<const D: usize> Cascade<D> {
         settings.validate()?;
         assert_eq!(reference.grid(), Grid::of_level(settings.finest), "the shapes live on the finest level");
         assert_eq!(template.grid(), reference.grid());
-        let number = self.level.number.clamp(settings.coarsest, settings.finest);
+        let first = first_level(&settings, [&reference, &template]);
+        let number = self.level.number.clamp(first, settings.finest);
         let mut grid = self.grid();
         let mut displacement = self.displacement().to_vec();
         while grid.cells() < 1 << number {
@@ -107,12 +116,14 @@ impl<const D: usize> Cascade<D> {
             displacement = coarsen(grid, &displacement);
             grid = Grid::new(grid.cells() / 2);
         }
+        let mut level = Level::new(number, &settings, [&reference, &template], false, Some(displacement));
+        level.unfold(&settings).await;
+        let evaluation = level.energy().await;
+        check_energy(&evaluation)?;
         self.past_evaluations += self.progress.evaluations + 1;
-        self.level = Level::new(number, &settings, [&reference, &template], false, Some(displacement));
+        self.level = level;
         (self.reference, self.template, self.settings) = (reference, template, settings);
         self.inverse.take();
-        self.unfold().await;
-        let evaluation = self.level.energy().await;
         self.progress = Progress { evaluation, iterations: 0, evaluations: 0, stop: None };
         Ok(())
     }
@@ -136,7 +147,7 @@ impl<const D: usize> Cascade<D> {
         self.past_evaluations += self.progress.evaluations;
         let shapes = [&self.reference, &self.template];
         self.level = Level::new(number, &self.settings, shapes, exchanged, Some(displacement));
-        self.unfold().await;
+        self.level.unfold(&self.settings).await;
     }
 
     /// From φ⁻¹, found with the template as the shell, to φ on the finest level. Should it not match, or its nodal
@@ -155,22 +166,6 @@ impl<const D: usize> Cascade<D> {
         let evaluations = self.past_evaluations + self.progress.evaluations;
         *self = Self::begin(self.reference.clone(), self.template.clone(), self.settings, false).await;
         self.past_evaluations += evaluations;
-    }
-
-    /// Starts this level a little nearer to the identity if its first deformation is not admissible.
-    ///
-    /// A level may end within rounding of a fold, and the interpolant's determinants are rounded differently.
-    async fn unfold(&mut self) {
-        let given = self.level.displacement().to_vec();
-        let mut displacement = given.clone();
-        let mut share = f64::EPSILON;
-        while !self.level.assembler.energy(&displacement).await.is_admissible() {
-            share = (4.0 * share).min(1.0);
-            displacement = given.iter().map(|u| (1.0 - share) * u).collect();
-        }
-        if share > f64::EPSILON {
-            self.level.restart(&self.settings, displacement);
-        }
     }
 
     /// The state after the last step, or at the start.
@@ -228,5 +223,21 @@ impl<const D: usize> Cascade<D> {
         let functional = self.settings.functional(self.level.number);
         let mut assembler: CpuAssembler<D> = CpuAssembler::new(&functional, &self.reference(), &self.template());
         assembler.gradient(displacement, gradient).await
+    }
+}
+
+/// The first level whose grid carries both shapes: on a coarser one there would be nothing to match.
+fn first_level<const D: usize>(settings: &Settings, shapes: [&SignedDistance<D>; 2]) -> u32 {
+    let carries = |level: &u32| shapes.iter().all(|shape| shape.is_carried_by(1 << level));
+    (settings.coarsest..settings.finest).find(carries).unwrap_or(settings.finest)
+}
+
+fn check_energy(evaluation: &Evaluation) -> Result<(), Error> {
+    let Energies { membrane, bending, mismatch, volume } = evaluation.energies;
+    let most = GREATEST_ENERGY;
+    let terms = [("membrane", membrane), ("bending", bending), ("mismatch", mismatch), ("volume", volume)];
+    match terms.into_iter().find(|(_, value)| value.is_nan() || *value > most) {
+        Some((term, value)) => Err(Error::NoEnergy { term, value, most }),
+        None => Ok(()),
     }
 }

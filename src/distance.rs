@@ -4,6 +4,7 @@
 //! [`SignedDistance::from_loops`] makes one of polygons, [`SignedDistance::from_mask`] of a picture,
 //! [`SignedDistance::redistance`] of any level set; [`SignedDistance::from_level_set`] takes nodal values as they are.
 
+mod carry;
 mod march;
 mod mask;
 mod nearest;

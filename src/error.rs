@@ -16,6 +16,11 @@ pub enum Error {
     /// An array with a NaN or an infinity.
     #[error("{name} has a value that is not finite at position {position}; replace or remove it")]
     NotFinite { name: &'static str, position: usize },
+    /// Weights, or a level set, out of all proportion.
+    #[error(
+        "the {term} energy is {value:e} before anything has moved, more than numbers of this precision can balance ({most:e} at most); choose smaller weights, or level sets that are distances"
+    )]
+    NoEnergy { term: &'static str, value: f64, most: f64 },
 }
 
 /// What is wrong with one shape. Reads on after "the reference …".

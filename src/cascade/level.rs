@@ -49,6 +49,22 @@ impl<const D: usize> Level<D> {
         self.minimizer = AnyMinimizer::new(self.number, settings, displacement);
     }
 
+    /// Starts a little nearer to the identity if the first deformation is not admissible; from the identity at last.
+    ///
+    /// A level may end within rounding of a fold, and the interpolant's determinants are rounded differently.
+    pub async fn unfold(&mut self, settings: &Settings) {
+        let given = self.displacement().to_vec();
+        let mut displacement = given.clone();
+        let mut share = f64::EPSILON;
+        while share < 1.0 && !self.assembler.energy(&displacement).await.is_admissible() {
+            share = (4.0 * share).min(1.0);
+            displacement = given.iter().map(|u| (1.0 - share) * u).collect();
+        }
+        if share > f64::EPSILON {
+            self.restart(settings, displacement);
+        }
+    }
+
     pub fn limit_to_refinement(&mut self) {
         self.limit = REFINEMENT;
     }

@@ -1,0 +1,36 @@
+//! Which grids carry a shape: a sliver, a speck or a thin ring falls between the nodes of a coarse one.
+
+use super::SignedDistance;
+
+/// A grid carries a shape if the outline's measure that it sees is within this factor of the truth. A quarter of the
+/// thinnest parts may be missing from a coarse level (the next ones bring them); half of everything may not.
+const FACTOR: f64 = 2.0;
+
+impl<const D: usize> SignedDistance<D> {
+    /// Whether the outline, looked at on `cells` cells a side, still is what it is on this grid.
+    ///
+    /// # Panics
+    ///
+    /// Unless `cells` divides this grid's number of cells.
+    pub fn is_carried_by(&self, cells: usize) -> bool {
+        assert!(self.grid.cells().is_multiple_of(cells), "{cells} cells are not nested in {}", self.grid.cells());
+        let (seen, whole) = (self.outline_measure(self.grid.cells() / cells), self.outline_measure(1));
+        seen > 0.0 && FACTOR * seen >= whole && seen <= FACTOR * whole
+    }
+
+    /// Σ_axis ∫ |n_axis| over the outline, by Cauchy and Crofton: the edges that change sign of the grid that has every
+    /// `step`-th node, times what an edge stands for.
+    fn outline_measure(&self, step: usize) -> f64 {
+        let negative = |node: usize| self.values[node] < 0.0;
+        let mut crossed = 0_usize;
+        for node in 0..self.values.len() {
+            let index = self.grid.node_index(node);
+            if index.iter().any(|i| i % step != 0) {
+                continue;
+            }
+            let ahead = (0..D).filter(|&axis| index[axis] < self.grid.cells());
+            crossed += ahead.filter(|&axis| negative(node) != negative(node + step * self.grid.stride(axis))).count();
+        }
+        crossed as f64 * (step as f64 * self.grid.spacing()).powi(D as i32 - 1)
+    }
+}

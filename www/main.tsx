@@ -12,10 +12,12 @@ import { SketchPanel } from "./controls/SketchPanel";
 import { Progress, StatusPanel } from "./controls/StatusPanel";
 import { Problem, Toolbar } from "./controls/Toolbar";
 import { ViewPicker } from "./controls/ViewPicker";
+import { moduleAt } from "./engine";
 import { Session } from "./session";
 import { open, readStorage } from "./state";
 import "./style.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
+import SolverWorker from "./worker?worker&inline";
 
 function App({ session }: { session: Session }) {
   return (
@@ -64,13 +66,6 @@ function App({ session }: { session: Session }) {
   );
 }
 
-/** Fetched while the page loads and compiled once; workers get the compiled module, never an address. */
-async function compiledSolver(): Promise<WebAssembly.Module> {
-  const answer = await fetch(solverUrl);
-  if (!answer.ok) throw new Error(`the solver could not be loaded (${answer.status}); reload the page`);
-  return WebAssembly.compile(await answer.arrayBuffer());
-}
-
 function shortcuts(session: Session): void {
   addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
@@ -84,9 +79,13 @@ function shortcuts(session: Session): void {
   });
 }
 
+function spawn(): Worker {
+  return new SolverWorker({ name: "thinshell solver" });
+}
+
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no #app");
-const session = new Session(compiledSolver(), open(location.hash, readStorage()));
+const session = new Session({ module: moduleAt(solverUrl), spawn }, open(location.hash, readStorage()));
 shortcuts(session);
 addEventListener("hashchange", () => session.openLink(location.hash));
 root.replaceChildren();

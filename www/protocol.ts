@@ -39,6 +39,10 @@ export type Request =
   | { readonly kind: "taken"; readonly run: number };
 
 export type Reply =
+  /** The worker has the solver. */
+  | { readonly kind: "ready" }
+  /** The worker has let go of what it did before and turns to this run, or has ended it where it was to be cancelled. */
+  | { readonly kind: "heard"; readonly run: number }
   | {
       readonly kind: "frame";
       readonly run: number;

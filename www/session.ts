@@ -1,18 +1,17 @@
-/** What the page knows: shapes and their history, settings, the run under way. Signals; no DOM. */
+/** What the page knows: shapes and their history, settings, the run of them. Signals; no DOM. */
 
 import { computed, effect, signal } from "@preact/signals";
+import type { Engine } from "./engine";
 import { begun, changed, type History, redone, undone } from "./history";
-import { Follower, LIVE_LEVEL, SETTLED_CELLS } from "./live";
-import type { FrameReply, Iteration } from "./protocol";
+import { isFollowing, isPaused } from "./phase";
 import type { MatchRecord } from "./record";
-import { type Chosen, complete, FIELDS, finestLevel, type SettingField, withSetting } from "./settings";
+import { Run } from "./run";
+import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
 import { fitted, type Shape } from "./shapes/geometry";
 import type { Preset } from "./shapes/presets";
-import { Solver } from "./solver";
 import { encode, type Opened, open, remember } from "./state";
 
 export type Side = "reference" | "template";
-export type Phase = "idle" | "solving" | "following" | "paused" | "finished";
 
 /** The two shapes as they stand in the history. */
 export type Pair = {
@@ -24,26 +23,12 @@ export type Pair = {
   readonly examples: { readonly reference: boolean; readonly template: boolean };
 };
 
-/** Between an edit and the new run it causes; a drag makes many. */
-const RESTART_MILLIS = 250;
 /** Between an edit and its being written to the address, which browsers allow some three times a second. */
 const REMEMBER_MILLIS = 400;
 
 export class Session {
   private readonly history;
-  private readonly solver: Solver;
-  private readonly follower = new Follower((at) => this.sendLive(at));
-  /** The solver holds a match that has been through all levels once, so that updates can go on from it. */
-  private established = false;
-  /** Whether the run under way refines an update, not a full run. */
-  private refining = false;
-  /** Whether the last update was refused. */
-  private refused = false;
-  /** Time of the event that the update under way was made from, until its first frame is there. */
-  private asked: number | null = null;
-  /** The same for the frame that is to be drawn next. */
-  private received: number | null = null;
-  private restarting: ReturnType<typeof setTimeout> | undefined;
+  private readonly run: Run;
   private remembering: ReturnType<typeof setTimeout> | undefined;
 
   /** The shape under the hand, not yet in the history. */
@@ -51,25 +36,17 @@ export class Session {
   readonly settings = signal<Chosen>({});
   /** Whether the match follows the hand. */
   readonly live = signal(false);
-  readonly phase = signal<Phase>("idle");
-  readonly energies = signal<readonly Iteration[]>([]);
   readonly problem = signal<string | null>(null);
   /** 0 shows the identity, 1 the match. */
   readonly morph = signal(1);
-
-  private readonly frame = signal<FrameReply | null>(null);
-  /** The shapes of the run that `frame` belongs to. */
-  private readonly solved = signal<{ readonly reference: Shape; readonly template: Shape } | null>(null);
 
   readonly shapes;
   readonly canUndo;
   readonly canRedo;
   readonly preset;
-  /** The frame to show: none while the shapes are others than those it was computed for, unless a new run is on. */
-  readonly match;
 
   constructor(
-    readonly module: Promise<WebAssembly.Module>,
+    readonly engine: Engine,
     opened: Opened,
   ) {
     const { saved, problem } = opened;
@@ -87,17 +64,35 @@ export class Session {
     this.canUndo = computed(() => this.history.value.past.length > 0);
     this.canRedo = computed(() => this.history.value.future.length > 0);
     this.preset = computed(() => this.history.value.present.preset);
-    this.match = computed(() => (this.running || this.current ? this.frame.value : null));
-    this.solver = new Solver(module, {
-      frame: (frame) => this.receive(frame),
-      refused: (message) => this.refuse(sentence(message)),
-      unavailable: (message) => this.fail(sentence(message)),
-      crashed: (message) =>
-        this.fail(
-          `The solver stopped unexpectedly (${message}). Your shapes are kept; press Match to try again with a fresh one.`,
-        ),
+    this.run = new Run(engine, {
+      shapes: this.shapes,
+      settings: this.settings,
+      followsHand: () => this.live.value && this.moving.value !== null,
+      say: (problem) => {
+        this.problem.value = problem;
+      },
     });
     this.rememberChanges(opened.remembered ? null : this.link());
+  }
+
+  get phase() {
+    return this.run.phase;
+  }
+
+  get loaded() {
+    return this.run.loaded;
+  }
+
+  get match() {
+    return this.run.match;
+  }
+
+  get fresh() {
+    return this.run.fresh;
+  }
+
+  get energies() {
+    return this.run.energies;
   }
 
   isExample(side: Side): boolean {
@@ -164,14 +159,11 @@ export class Session {
     this.settings.value = settings;
     this.commit(pairFrom(reference, template, null));
     // Nothing is to be computed, not even where the match follows the hand.
-    this.cancel();
-    if (!match) return;
-    this.energies.value = [];
-    this.morph.value = 1;
-    this.solved.value = { reference, template };
-    this.frame.value = { kind: "frame", run: 0, trail: [], ...match };
-    this.fresh.value = true;
-    this.phase.value = "finished";
+    if (!match) this.run.drop();
+    else {
+      this.morph.value = 1;
+      this.run.restore(match);
+    }
   }
 
   changeSetting(field: SettingField, value: number | string | boolean): void {
@@ -183,7 +175,7 @@ export class Session {
   previewSetting(field: SettingField, value: number, at: number): void {
     if (this.live.value) this.follow(at);
     this.settings.value = withSetting(this.settings.value, field, value);
-    if (!this.live.value) this.restartSoon();
+    if (!this.live.value) this.run.restartSoon();
   }
 
   resetSettings(): void {
@@ -194,42 +186,25 @@ export class Session {
   /** Switching on begins with a full match, unless there is one to go on from. */
   setLive(on: boolean): void {
     this.live.value = on;
-    if (!on && this.phase.value === "following") this.settle();
-    if (!on || this.empty || (this.phase.value === "finished" && this.established && this.current)) return;
+    if (!on && isFollowing(this.phase.value)) this.settle();
+    if (!on || this.empty || this.run.upToDate) return;
     this.start();
   }
 
   start(): void {
-    clearTimeout(this.restarting);
-    this.forgetRun();
-    const { reference, template } = this.shapes.value;
-    this.problem.value = null;
-    this.energies.value = [];
-    this.phase.value = "solving";
-    // The last picture stays until the first frame of the new run, but not its numbers.
-    this.solved.value = { reference, template };
-    this.fresh.value = false;
-    this.solver.start(curves(reference), curves(template), this.settings.value);
+    this.run.start();
   }
 
   pause(): void {
-    if (this.phase.value !== "solving") return;
-    this.solver.pause();
-    this.phase.value = "paused";
+    this.run.pause();
   }
 
   resume(): void {
-    if (this.phase.value !== "paused") return;
-    this.solver.resume();
-    this.phase.value = "solving";
+    this.run.resume();
   }
 
   cancel(): void {
-    clearTimeout(this.restarting);
-    this.forgetRun();
-    this.solver.cancel();
-    this.phase.value = "idle";
-    this.frame.value = null;
+    this.run.cancel();
   }
 
   dismissProblem(): void {
@@ -242,60 +217,9 @@ export class Session {
     return encode({ reference, template, settings: this.settings.value, preset });
   }
 
-  /** Whether `match` belongs to the run under way, not to the one before. */
-  readonly fresh = signal(false);
-
-  /** To be called when `frame` has been drawn: reports how long it took from the hand to the picture. */
-  drawn(frame: FrameReply | null): void {
-    if (this.received === null || frame !== this.frame.value) return;
-    performance.measure("live-frame", { start: this.received, end: performance.now() });
-    // Observers have it; kept in the page's timeline, every frame would cost memory for good.
-    performance.clearMeasures("live-frame");
-    this.received = null;
-  }
-
-  private receive(frame: FrameReply): void {
-    // First of all, for the next update is to be on its way before this frame is drawn.
-    this.follower.answered();
-    const { status } = frame;
-    const before = this.frame.value;
-    this.received = this.asked;
-    this.asked = null;
-    if (this.refused) this.problem.value = null;
-    this.refused = false;
-    this.frame.value = frame;
-    this.fresh.value = true;
-    // Each update's energies are a history of their own, and too short to be read while the hand moves.
-    if (this.phase.value !== "following") {
-      this.energies.value = before?.run === frame.run ? [...this.energies.value, ...frame.trail] : frame.trail;
-    }
-    if (!status.finished || this.phase.value !== "solving") return;
-    if (this.refining && status.mismatch.max > SETTLED_CELLS) {
-      this.start();
-      return;
-    }
-    this.established = true;
-    this.refining = false;
-    this.phase.value = "finished";
-    // The hand has moved on during a full match: catch up with it.
-    if (this.live.value && this.moving.value) this.follow(performance.now());
-  }
-
-  private refuse(message: string): void {
-    if (this.refining) this.start();
-    else if (this.phase.value === "following") {
-      this.refused = true;
-      this.follower.answered();
-      this.problem.value = message;
-    } else this.fail(message);
-  }
-
-  private fail(message: string): void {
-    clearTimeout(this.restarting);
-    this.forgetRun();
-    this.phase.value = "idle";
-    this.frame.value = null;
-    this.problem.value = message;
+  /** To be called when the match has been drawn. */
+  drawn(): void {
+    this.run.drawn(this.match.value);
   }
 
   private commit(pair: Pair): void {
@@ -312,77 +236,29 @@ export class Session {
     this.shapesChanged();
   }
 
-  private get current(): boolean {
-    const solved = this.solved.value;
-    const { reference, template } = this.shapes.value;
-    return solved?.reference === reference && solved.template === template;
-  }
-
-  private get running(): boolean {
-    return this.phase.value === "solving" || this.phase.value === "following";
-  }
-
   private get empty(): boolean {
     return Object.values(this.shapes.value).some((shape) => shape.length === 0);
   }
 
-  private forgetRun(): void {
-    this.follower.stop();
-    this.established = false;
-    this.refining = false;
-    this.refused = false;
-    this.asked = null;
-  }
-
-  /** Something moves under the hand: the match goes after it, or comes into being first. */
+  /** Something moves under the hand. What has just been refused waits until the problem is gone. */
   private follow(at: number): void {
-    if (this.established) this.follower.follow(at);
-    else if (!this.running && !this.problem.value) this.start();
+    if (this.run.established || !this.problem.value) this.run.follow(at);
   }
 
-  private sendLive(at: number): void {
-    const chosen = this.settings.value;
-    this.asked = at;
-    this.refining = false;
-    this.phase.value = "following";
-    this.update({ ...chosen, finest: Math.min(LIVE_LEVEL, finestLevel(chosen)) });
-  }
-
-  /** The hand has let go: goes on to the finest level, or begins anew where there is nothing to go on from. */
   private settle(): void {
-    this.follower.stop();
-    if (this.empty) this.cancel();
-    else if (!this.established || this.refused) this.start();
-    else {
-      this.asked = null;
-      this.refining = true;
-      this.phase.value = "solving";
-      this.update(this.settings.value);
-    }
-  }
-
-  private update(settings: Chosen): void {
-    const { reference, template } = this.shapes.value;
-    this.solved.value = { reference, template };
-    this.solver.update(curves(reference), curves(template), complete(settings));
+    if (this.empty) this.run.drop();
+    else this.run.settle();
   }
 
   private settingsChanged(): void {
     if (this.live.value) this.settle();
-    else this.restartSoon();
+    else this.run.restartSoon();
   }
 
   private shapesChanged(): void {
     if (this.live.value) this.settle();
-    else if (this.phase.value === "paused") this.cancel();
-    else this.restartSoon();
-  }
-
-  /** A run under way starts again with what has changed; without one, the user decides. */
-  private restartSoon(): void {
-    if (this.phase.value !== "solving") return;
-    clearTimeout(this.restarting);
-    this.restarting = setTimeout(() => this.start(), RESTART_MILLIS);
+    else if (isPaused(this.phase.value)) this.run.drop();
+    else this.run.restartSoon();
   }
 
   /** `last` is what the address and storage hold already. */
@@ -406,15 +282,6 @@ export class Session {
 function pairFrom(reference: Shape, template: Shape, preset: string | null): Pair {
   const example = preset !== null;
   return { reference, template, preset, examples: { reference: example, template: example } };
-}
-
-function curves(shape: Shape) {
-  return { kind: "curves" as const, loops: [...shape] };
-}
-
-export function sentence(message: string): string {
-  const text = message.charAt(0).toUpperCase() + message.slice(1);
-  return /[.!?]$/.test(text) ? text : `${text}.`;
 }
 
 /** The setting fields whose value is not the default. */

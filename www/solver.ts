@@ -1,34 +1,54 @@
-/** The page's side of the solver: starts and stops runs, drops late frames, replaces a worker that has crashed. */
+/**
+ * The page's side of the solver: starts and stops runs, drops late frames, and replaces a worker that has crashed or
+ * does not let go of what it is doing.
+ */
 
+import type { Engine } from "./engine";
 import type { FrameReply, Reply, Request, Settings, Shape } from "./protocol";
-import SolverWorker from "./worker?worker&inline";
 
 export type SolverEvents = {
+  /** The worker has the solver. */
+  ready(): void;
   frame(frame: FrameReply): void;
   refused(message: string): void;
   /** Nothing of the page's is lost, and the next start finds a fresh worker. */
   crashed(message: string): void;
-  /** The solver could not be loaded; no start will succeed. */
+  /** The solver could not be loaded or no worker started; the next start tries again. */
   unavailable(message: string): void;
 };
 
-export class Solver {
-  private readonly module: Promise<WebAssembly.Module>;
-  private readonly events: SolverEvents;
-  private worker: Worker;
-  private run = 0;
+/** How long a worker may go on with what it was doing after it has been told to do something else. */
+export const PATIENCE_MILLIS = 400;
 
-  /** `module` is compiled once by the page and shared by every worker: after the load nothing needs the network. */
-  constructor(module: Promise<WebAssembly.Module>, events: SolverEvents) {
-    this.module = module;
+const NO_WORKER =
+  "The solver could not be started, because the browser refuses the page's worker. Reload the page, and let its security policy allow “worker-src blob:”; a browser extension may forbid workers, too";
+
+export class Solver {
+  private readonly engine: Engine;
+  private readonly events: SolverEvents;
+  /** None after a start that has failed: the next run tries again, so that tries never outnumber the user's. */
+  private worker: Worker | null = null;
+  /** The worker has the solver: it can run here. */
+  private ready = false;
+  private run = 0;
+  /** The start that the worker has not taken up yet. */
+  private waiting: Request | null = null;
+  /** Whether the worker has yet to turn from an older run to a start or a cancel. */
+  private unheard = false;
+  private patience: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(engine: Engine, events: SolverEvents) {
+    this.engine = engine;
     this.events = events;
-    this.worker = this.spawn();
+    this.spawn();
   }
 
   /** Ends the current run, if any, and starts another. Settings left out have their defaults. */
   start(reference: Shape, template: Shape, settings: Partial<Settings>): void {
     this.run += 1;
-    this.send({ kind: "start", run: this.run, reference, template, settings });
+    this.waiting = { kind: "start", run: this.run, reference, template, settings };
+    if (!this.worker) this.spawn();
+    this.turn(this.waiting);
   }
 
   /** Goes on from the match there is with other shapes and settings, all of them given; ends the current run. */
@@ -45,40 +65,87 @@ export class Solver {
     this.send({ kind: "resume", run: this.run });
   }
 
-  /** Frames of the run that are still on their way are dropped. */
+  /** Whatever the worker is doing comes to an end; frames of the run that are still on their way are dropped. */
   cancel(): void {
-    this.send({ kind: "cancel", run: this.run });
+    this.waiting = null;
+    if (this.ready) this.turn({ kind: "cancel", run: this.run });
+    else if (this.worker) {
+      // Whatever keeps it from being ready, another one costs nothing.
+      this.end();
+      this.spawn();
+    }
     this.run += 1;
   }
 
   dispose(): void {
-    this.worker.terminate();
+    this.end();
   }
 
   private send(request: Request): void {
-    this.worker.postMessage(request);
+    this.worker?.postMessage(request);
   }
 
-  private spawn(): Worker {
-    const worker = new SolverWorker({ name: "thinshell solver" });
+  /** Sends what the worker is to turn to at once, or else be replaced. */
+  private turn(request: Request): void {
+    this.send(request);
+    this.unheard = true;
+    this.wait();
+  }
+
+  /** A worker that is still loading is not to blame. */
+  private wait(): void {
+    if (!this.ready || this.patience !== undefined) return;
+    this.patience = setTimeout(() => {
+      const { waiting } = this;
+      this.end();
+      this.spawn();
+      if (waiting) this.turn(waiting);
+    }, PATIENCE_MILLIS);
+  }
+
+  private heard(): void {
+    clearTimeout(this.patience);
+    this.patience = undefined;
+    this.unheard = false;
+    this.waiting = null;
+  }
+
+  private spawn(): void {
+    let worker: Worker;
+    try {
+      worker = this.engine.spawn();
+    } catch {
+      // Not at once: whoever makes a solver is not yet ready to hear of it.
+      queueMicrotask(() => this.events.unavailable(NO_WORKER));
+      return;
+    }
+    this.worker = worker;
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
     worker.onerror = (event) => {
       event.preventDefault();
-      this.replace(event.message);
+      this.lost(event.message);
     };
-    this.module.then(
+    this.engine.module().then(
       (module) => {
         // Messages sent before this one wait in the worker's loop until the module is there.
-        if (this.worker === worker) worker.postMessage({ kind: "load", module } satisfies Request);
+        if (this.worker === worker) this.send({ kind: "load", module });
       },
-      (problem) => this.events.unavailable(problem instanceof Error ? problem.message : String(problem)),
+      (problem) => {
+        if (this.worker === worker) this.fail(problem instanceof Error ? problem.message : String(problem));
+      },
     );
-    return worker;
   }
 
   private receive(reply: Reply): void {
-    if (reply.kind === "crashed") this.replace(reply.message);
-    else if (reply.run !== this.run) return;
+    if (reply.kind === "crashed") this.lost(reply.message);
+    else if (reply.kind === "ready") {
+      this.ready = true;
+      if (this.unheard) this.wait();
+      this.events.ready();
+    } else if (reply.kind === "heard") {
+      // A cancel is heard under the number of its run, which has passed by then.
+      if (reply.run === this.run || (reply.run === this.run - 1 && !this.waiting)) this.heard();
+    } else if (reply.run !== this.run) return;
     else if (reply.kind === "refused") this.events.refused(reply.message);
     else {
       this.send({ kind: "taken", run: this.run });
@@ -86,12 +153,32 @@ export class Solver {
     }
   }
 
-  private replace(message: string): void {
-    this.worker.onmessage = null;
-    this.worker.onerror = null;
-    this.worker.terminate();
+  /** A worker that ran the solver gets a successor; one that never did would get an endless row of them. */
+  private lost(message: string): void {
+    if (!this.ready) {
+      this.fail(message ? `${NO_WORKER} (${message})` : NO_WORKER);
+      return;
+    }
+    this.end();
     this.run += 1;
-    this.worker = this.spawn();
+    this.spawn();
     this.events.crashed(message);
+  }
+
+  private fail(message: string): void {
+    this.end();
+    this.run += 1;
+    this.events.unavailable(message);
+  }
+
+  private end(): void {
+    if (this.worker) {
+      this.worker.onmessage = null;
+      this.worker.onerror = null;
+      this.worker.terminate();
+    }
+    this.worker = null;
+    this.ready = false;
+    this.heard();
   }
 }

@@ -20,7 +20,8 @@ const wanted = {
   start: null as Start | null,
   /** The newest only: it stands for all before it. */
   update: null as Update | null,
-  cancelled: false,
+  /** The run that is to end. */
+  cancelled: null as number | null,
   paused: false,
 };
 let lastFrameTaken = true;
@@ -33,17 +34,17 @@ self.onmessage = ({ data }: MessageEvent<Request>) => {
     wanted.start = data;
     wanted.update = null;
     wanted.paused = false;
-    wanted.cancelled = false;
+    wanted.cancelled = null;
   } else if (data.kind === "update") {
     wanted.update = data;
     wanted.paused = false;
-  } else if (data.run !== current) return;
-  else if (data.kind === "taken") lastFrameTaken = true;
-  else if (data.kind === "cancel") {
+  } else if (data.kind === "cancel") {
     wanted.start = null;
     wanted.update = null;
-    wanted.cancelled = true;
-  } else wanted.paused = data.kind === "pause";
+    wanted.cancelled = data.run;
+  } else if (data.run !== current) return;
+  else if (data.kind === "taken") lastFrameTaken = true;
+  else wanted.paused = data.kind === "pause";
   wake();
 };
 
@@ -60,16 +61,23 @@ const running = {
 async function loop(): Promise<never> {
   while (!wanted.module) await asleep();
   await init({ module_or_path: wanted.module });
+  post({ kind: "ready" });
   for (;;) {
-    if (wanted.cancelled) {
+    if (wanted.cancelled !== null) {
       drop();
-      wanted.cancelled = false;
+      post({ kind: "heard", run: wanted.cancelled });
+      wanted.cancelled = null;
     }
     if (wanted.start) await begin(wanted.start);
     if (wanted.update) await change(wanted.update);
     if (!running.registration || running.finished || wanted.paused) await asleep();
     else {
-      await solve(running.registration);
+      try {
+        await solve(running.registration);
+      } catch (problem) {
+        drop();
+        refuse(running.run, problem);
+      }
       await queue();
     }
   }
@@ -78,6 +86,7 @@ async function loop(): Promise<never> {
 async function begin(start: Start): Promise<void> {
   wanted.start = null;
   drop();
+  post({ kind: "heard", run: start.run });
   running.run = start.run;
   running.finished = false;
   running.updated = false;

@@ -34,7 +34,7 @@ test("a cancelled run ends at once and leaves the shapes", async ({ page }) => {
   await page.goto(LONG);
   await start(page);
   await button(page, "Cancel").click();
-  await expect(page.getByRole("status")).toContainText("Ready");
+  await expect(page.getByRole("status")).toContainText("Cancelled");
   await expect(page.getByRole("progressbar")).toHaveCount(0);
   await expect(button(page, "Cancel")).toBeDisabled();
   // No late frame brings the run back.

@@ -1,6 +1,7 @@
 import { type Signal, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useMemo } from "preact/hooks";
-import { type Session, sentence } from "../session";
+import { sentence } from "../run";
+import type { Session } from "../session";
 import { bandwidth, type Chosen, FIELDS, parseSetting, withSetting } from "../settings";
 import type { ResultScene } from "../view/result";
 import "./compare.css";
@@ -23,7 +24,7 @@ export function Compare({ session }: { session: Session }) {
   const b = useSignal<Change>({ field: "bending", value: "0" });
   const comparison = useMemo(
     () =>
-      new Comparison(session.module, (message) => {
+      new Comparison(session.engine, (message) => {
         session.problem.value = sentence(message);
       }),
     [session],
@@ -53,6 +54,9 @@ export function Compare({ session }: { session: Session }) {
         <ChangeField side="B" change={b} />
         <button type="button" class="primary" disabled={busy.value} onClick={run}>
           {busy.value ? "Comparing …" : "Compare"}
+        </button>
+        <button type="button" disabled={!busy.value} onClick={() => comparison.stop()}>
+          Stop comparing
         </button>
         <ViewPicker session={session} name="View of both" />
         <label class="both-morph">

@@ -1,5 +1,6 @@
 import { useComputed } from "@preact/signals";
 import { useCallback } from "preact/hooks";
+import { isDone, isFollowing, isPaused } from "../phase";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
 import type { ResultScene } from "../view/result";
@@ -21,7 +22,7 @@ export function ResultPanel({ session }: { session: Session }) {
   }));
   const limit = useComputed(() => limitOf(match.value, bandwidth(session.settings.value)));
   const label = useComputed(() => `Deformed grid and matched curve: ${words(session)}`);
-  const drawn = useCallback(() => session.drawn(session.match.value), [session]);
+  const drawn = useCallback(() => session.drawn(), [session]);
   const showsPicture = view.value === "image" || view.value === "pullback";
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: dropping is one way more; the legend has a button for it
@@ -50,13 +51,16 @@ function matchOf(session: Session) {
 }
 
 function words(session: Session): string {
-  const { phase, match } = session;
-  const status = match.value?.status;
-  if (!status) return phase.value === "solving" ? "the solver is starting" : "not matched yet, the grid is undeformed";
-  if (phase.value === "finished") {
-    return `matched, at most ${decimals(status.mismatch.max)} cells off, no cell folded`;
+  const phase = session.phase.value;
+  const status = session.match.value?.status;
+  if (!status) return phase === "preparing" ? "the solver is starting" : "not matched yet, the grid is undeformed";
+  if (isDone(phase)) {
+    const { max } = status.mismatch;
+    return Number.isFinite(max)
+      ? `matched, at most ${decimals(max)} cells off, no cell folded`
+      : "matched, but the grid does not see the curve";
   }
   const side = 2 ** status.level + 1;
-  const doing = { paused: "paused", following: "following your hand" }[phase.value as string] ?? "matching";
+  const doing = isPaused(phase) ? "paused" : isFollowing(phase) ? "following your hand" : "matching";
   return `${doing} on the ${side} by ${side} grid`;
 }

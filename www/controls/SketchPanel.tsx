@@ -1,5 +1,6 @@
 import { computed, effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { isDone, isWorking } from "../phase";
 import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
 import { Drawing } from "../shapes/draw";
@@ -85,7 +86,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
   const point = (event: PointerEvent) => {
     const loops = session.match.value?.curves.reference;
     // While the solver works, points come and go with every frame, and the hand is to be answered first.
-    if (!canvas.current || !loops || event.buttons !== 0 || session.phase.value === "solving") return;
+    if (!canvas.current || !loops || event.buttons !== 0 || isWorking(session.phase.value)) return;
     const box = canvas.current.getBoundingClientRect();
     const x = (event.clientX - box.left) / box.width;
     const y = (box.bottom - event.clientY) / box.height;
@@ -161,5 +162,5 @@ function colouredLoops(session: Session, side: Side) {
 
 /** The finished match that gives the template its colours. */
 function colourOf(session: Session, side: Side) {
-  return side === "template" && session.phase.value === "finished" ? session.match.value : null;
+  return side === "template" && isDone(session.phase.value) ? session.match.value : null;
 }

@@ -1,21 +1,23 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { isDone, isFollowing, isPaused, isWorking } from "../phase";
 import type { Status } from "../protocol";
 import type { Session } from "../session";
 import { finestLevel } from "../settings";
 import { drawEnergies } from "../view/chart";
 import { theme } from "../view/palette";
-import { decimals } from "./numbers";
+import { cells, decimals } from "./numbers";
 
 /** What goes on, in words and as machine-readable values, with the energies as they fall. */
 export function StatusPanel({ session }: { session: Session }) {
   const phase = session.phase.value;
   const status = session.fresh.value ? session.match.value?.status : undefined;
-  const working = phase === "solving" || phase === "following" || phase === "paused";
+  const paused = isPaused(phase);
+  const working = isWorking(phase) || isFollowing(phase);
   return (
     <div class="status-row">
       {/* Thirty updates a second would drown a screen reader: it hears the beginning and the end. */}
-      <div role="status" aria-live={working && phase !== "paused" && status ? "off" : "polite"}>
+      <div role="status" aria-live={working && !paused && status ? "off" : "polite"}>
         <p class="headline">{headline(session, status)}</p>
         {status && (
           <dl>
@@ -28,13 +30,13 @@ export function StatusPanel({ session }: { session: Session }) {
                   name="mismatch-max"
                   label="Largest distance"
                   value={status.mismatch.max}
-                  text={`${decimals(status.mismatch.max)} cells`}
+                  text={cells(status.mismatch.max)}
                 />
                 <Value
                   name="mismatch-mean"
                   label="Mean distance"
                   value={status.mismatch.mean}
-                  text={`${decimals(status.mismatch.mean)} cells`}
+                  text={cells(status.mismatch.mean)}
                 />
                 <Value
                   name="least-determinant"
@@ -52,14 +54,19 @@ export function StatusPanel({ session }: { session: Session }) {
   );
 }
 
+/** For machines only what is a number; for people always words. */
 function Value({ name, label, value, text }: { name: string; label: string; value: number; text: string }) {
   return (
     <div>
       <dt>{label}</dt>
       <dd>
-        <data data-name={name} value={String(value)}>
-          {text}
-        </data>
+        {Number.isFinite(value) ? (
+          <data data-name={name} value={String(value)}>
+            {text}
+          </data>
+        ) : (
+          text
+        )}
       </dd>
     </div>
   );
@@ -71,25 +78,30 @@ function gridName(level: number): string {
 }
 
 function headline(session: Session, status: Status | undefined): string {
-  switch (session.phase.value) {
+  const phase = session.phase.value;
+  switch (phase) {
     case "idle":
       return "Ready: press Match.";
-    case "solving":
-      return status ? `Matching on the ${gridName(status.level)} grid …` : "Starting …";
+    case "cancelled":
+      return "Cancelled. Press Match to start again.";
+    case "preparing":
+      return session.loaded.value ? "Preparing the shapes …" : "Loading the solver …";
     case "following":
+    case "astray":
       return "Following your hand …";
     case "paused":
+    case "pausedRefining":
       return "Paused.";
-    case "finished":
-      if (!status) return "The shapes have changed: press Match.";
-      return status.stop ?? "Finished.";
+    default:
+      if (!isDone(phase)) return status ? `Matching on the ${gridName(status.level)} grid …` : "Matching …";
+      return status ? (status.stop ?? "Finished.") : "The shapes have changed: press Match.";
   }
 }
 
 /** How far the cascade is, as a part of its levels. */
 export function Progress({ session }: { session: Session }) {
   const phase = session.phase.value;
-  if (phase !== "solving" && phase !== "paused") return <div class="progress idle" />;
+  if (!isWorking(phase)) return <div class="progress idle" />;
   const status = session.fresh.value ? session.match.value?.status : undefined;
   const coarsest = session.settings.value.coarsest ?? 4;
   const finest = finestLevel(session.settings.value);
@@ -97,6 +109,14 @@ export function Progress({ session }: { session: Session }) {
   const within = status ? status.iteration / (status.iteration + 20) : 0;
   const done = status ? (status.level - coarsest + within) / (finest - coarsest + 1) : 0;
   const percent = Math.round(100 * Math.min(1, Math.max(0, done)));
+  // Nor how long the shapes will take.
+  if (!status) {
+    return (
+      <div class="progress unknown" role="progressbar" aria-label="Match">
+        <div />
+      </div>
+    );
+  }
   return (
     <div
       class="progress"

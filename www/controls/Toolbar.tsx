@@ -1,10 +1,12 @@
 import { useSignal } from "@preact/signals";
+import { isFollowing, isPaused, isWorking } from "../phase";
 import type { Session } from "../session";
 
 /** Everything that is done with a press. */
 export function Toolbar({ session }: { session: Session }) {
   const phase = session.phase.value;
-  const working = phase === "solving" || phase === "paused";
+  const working = isWorking(phase);
+  const paused = isPaused(phase);
   const { reference, template } = session.shapes.value;
   return (
     <div class="toolbar">
@@ -22,14 +24,10 @@ export function Toolbar({ session }: { session: Session }) {
         >
           Live
         </button>
-        <button
-          type="button"
-          disabled={!working}
-          onClick={() => (phase === "paused" ? session.resume() : session.pause())}
-        >
-          {phase === "paused" ? "Resume" : "Pause"}
+        <button type="button" disabled={!working} onClick={() => (paused ? session.resume() : session.pause())}>
+          {paused ? "Resume" : "Pause"}
         </button>
-        <button type="button" disabled={!working} onClick={() => session.cancel()}>
+        <button type="button" disabled={!working && !isFollowing(phase)} onClick={() => session.cancel()}>
           Cancel
         </button>
       </div>

@@ -1,6 +1,7 @@
 /** Two settings on the same shapes, solved one after the other in a worker of their own. */
 
 import { signal } from "@preact/signals";
+import type { Engine } from "../engine";
 import type { FrameReply, Settings } from "../protocol";
 import type { Chosen } from "../settings";
 import type { Shape } from "../shapes/geometry";
@@ -25,12 +26,13 @@ export class Comparison {
   readonly outcomes = signal<readonly [Outcome | null, Outcome | null]>([null, null]);
   readonly busy = signal(false);
 
-  constructor(module: Promise<WebAssembly.Module>, fail: (message: string) => void) {
+  constructor(engine: Engine, fail: (message: string) => void) {
     const failed = (message: string) => {
       this.stop();
       fail(message);
     };
-    this.solver = new Solver(module, {
+    this.solver = new Solver(engine, {
+      ready: () => {},
       frame: (frame) => this.receive(frame),
       refused: failed,
       unavailable: failed,
@@ -49,6 +51,7 @@ export class Comparison {
     this.next();
   }
 
+  /** What is there already stays. */
   stop(): void {
     this.waiting = [];
     this.busy.value = false;

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { decimals } from "./numbers";
+import { cells, decimals } from "./numbers";
 
 test.each([
   [0, "0"],
@@ -10,4 +10,9 @@ test.each([
   [-3.25, "-3.25"],
 ])("%f reads %s", (value, text) => {
   expect(decimals(value)).toBe(text);
+});
+
+test.each([Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY])("%f reads as words", (value) => {
+  expect(decimals(value)).toMatch(/^[a-z ]+$/);
+  expect(cells(value)).toBe("none: the grid does not see the curve");
 });

@@ -1,6 +1,7 @@
 /** The page of the paper's experiments: what each is, and its outcome computed live. */
 
 import { render } from "preact";
+import { moduleAt } from "../engine";
 import solverUrl from "../wasm/thinshell_bg.wasm?url";
 import { type Block, type Experiment, seconds } from "./experiment";
 import { EXPERIMENTS } from "./index";
@@ -148,16 +149,9 @@ function Piece({ block }: { block: Block }) {
   );
 }
 
-/** Fetched while the page loads and compiled once. */
-async function compiledSolver(): Promise<WebAssembly.Module> {
-  const answer = await fetch(solverUrl);
-  if (!answer.ok) throw new Error(`the solver could not be loaded (${answer.status})`);
-  return WebAssembly.compile(await answer.arrayBuffer());
-}
-
 const root = document.getElementById("experiments");
 if (!root) throw new Error("experiments.html has no #experiments");
-const runs = new Runs(compiledSolver());
+const runs = new Runs(moduleAt(solverUrl));
 root.replaceChildren();
 render(<App runs={runs} />, root);
 // The sections did not exist yet when the browser looked for the one in the address.

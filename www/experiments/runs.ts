@@ -1,6 +1,7 @@
 /** The page's runs: one at a time, each in a worker of its own, so that cancelling is ending the worker. */
 
 import { type Signal, signal } from "@preact/signals";
+import type { Engine } from "../engine";
 import type { Block, Size } from "./experiment";
 import type { Reply, Request } from "./worker";
 import ExperimentWorker from "./worker?worker&inline";
@@ -14,13 +15,14 @@ export type Run =
 export class Runs {
   /** The experiment that is being computed. */
   readonly current = signal<string | null>(null);
-  private readonly module: Promise<WebAssembly.Module>;
+  private readonly module: Engine["module"];
   private readonly runs = new Map<string, Signal<Run>>();
   private end: () => void = () => {};
 
-  /** `module` is compiled once, so that after the load nothing needs the network. */
-  constructor(module: Promise<WebAssembly.Module>) {
+  constructor(module: Engine["module"]) {
     this.module = module;
+    // At once: later nothing needs the network. A failure is said when somebody computes, who then tries again.
+    module().catch(() => {});
   }
 
   of(id: string): Signal<Run> {
@@ -54,9 +56,10 @@ export class Runs {
       else if (data.kind === "done") finish({ kind: "done", size, blocks: data.blocks, millis: data.millis });
       else finish({ kind: "failed", message: data.message });
     };
-    worker.onerror = (event) => finish({ kind: "failed", message: event.message });
+    worker.onerror = (event) =>
+      finish({ kind: "failed", message: event.message || "the browser refuses the page's worker" });
     try {
-      const request: Request = { module: await this.module, id, size };
+      const request: Request = { module: await this.module(), id, size };
       if (!cancelled) worker.postMessage(request);
     } catch (problem) {
       if (!cancelled) finish({ kind: "failed", message: problem instanceof Error ? problem.message : String(problem) });

@@ -17,7 +17,8 @@ export function drawEnergies(
   history: readonly EnergyPoint[],
 ): void {
   if (history.length < 2) return;
-  const positive = history.flatMap((p) => [p.total, p.mismatch]).filter((value) => value > 0);
+  const positive = history.flatMap((p) => [p.total, p.mismatch]).filter((value) => value > 0 && Number.isFinite(value));
+  if (positive.length === 0) return;
   const top = Math.log10(Math.max(...positive));
   // Mismatch goes to zero on an easy pair; more than six decades would flatten the rest.
   const bottom = Math.max(Math.log10(Math.min(...positive)), top - 6);

@@ -1,0 +1,241 @@
+/** The run under way: its state, what it has found, and when the solver is told what. Signals; no DOM. */
+
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Engine } from "./engine";
+import { Follower, LIVE_LEVEL, SETTLED_CELLS } from "./live";
+import { isEstablished, isFollowing, isPaused, isRunning, isWorking, next, type Phase, type PhaseEvent } from "./phase";
+import type { FrameReply, Iteration } from "./protocol";
+import type { SavedMatch } from "./record";
+import { type Chosen, complete, finestLevel } from "./settings";
+import type { Shape } from "./shapes/geometry";
+import { Solver } from "./solver";
+
+export type Shapes = { readonly reference: Shape; readonly template: Shape };
+
+/** What a run is of, and whom it tells. */
+export type Subject = {
+  readonly shapes: ReadonlySignal<Shapes>;
+  readonly settings: ReadonlySignal<Chosen>;
+  /** Whether the hand is moving something that the match has to follow. */
+  followsHand(): boolean;
+  /** A sentence for the user, or null when the last one no longer holds. */
+  say(problem: string | null): void;
+};
+
+/** Between an edit and the new run it causes; a drag makes many. */
+const RESTART_MILLIS = 250;
+
+export class Run {
+  private readonly subject: Subject;
+  private readonly solver: Solver;
+  private readonly follower = new Follower((at) => this.sendFollowing(at));
+  /** Time of the event that the update under way was made from, until its first frame is there. */
+  private asked: number | null = null;
+  /** The same for the frame that is to be drawn next. */
+  private received: number | null = null;
+  private restarting: ReturnType<typeof setTimeout> | undefined;
+
+  private readonly state = signal<Phase>("idle");
+  private readonly frame = signal<FrameReply | null>(null);
+  /** The shapes of the run that `frame` belongs to. */
+  private readonly solved = signal<Shapes | null>(null);
+
+  readonly phase: ReadonlySignal<Phase> = this.state;
+  /** The solver has been fetched and compiled. */
+  readonly loaded = signal(false);
+  readonly energies = signal<readonly Iteration[]>([]);
+  /** Whether `match` belongs to the run under way, not to the one before. */
+  readonly fresh = signal(false);
+  /** The frame to show: none while the shapes are others than those it was computed for, unless a new run is on. */
+  readonly match = computed(() => (isRunning(this.state.value) || this.current ? this.frame.value : null));
+
+  constructor(engine: Engine, subject: Subject) {
+    this.subject = subject;
+    this.solver = new Solver(engine, {
+      ready: () => {
+        this.loaded.value = true;
+      },
+      frame: (frame) => this.receive(frame),
+      refused: (message) => this.refuse(sentence(message)),
+      unavailable: (message) => this.fail(sentence(message)),
+      crashed: (message) =>
+        this.fail(
+          `The solver stopped unexpectedly (${message}). Your shapes are kept; press Match to try again with a fresh one.`,
+        ),
+    });
+  }
+
+  get established(): boolean {
+    return isEstablished(this.state.value);
+  }
+
+  /** The match that is shown is of the present shapes, and the solver can go on from it. */
+  get upToDate(): boolean {
+    return this.state.value === "matched" && this.current;
+  }
+
+  start(): void {
+    this.forget();
+    this.subject.say(null);
+    this.energies.value = [];
+    this.advance("start");
+    const { reference, template } = this.begin();
+    // The last picture stays until the first frame of the new run, but not its numbers.
+    this.fresh.value = false;
+    this.solver.start(reference, template, this.subject.settings.value);
+  }
+
+  pause(): void {
+    if (this.advance("pause")) this.solver.pause();
+  }
+
+  resume(): void {
+    if (this.advance("resume")) this.solver.resume();
+  }
+
+  /** The user ends the run. */
+  cancel(): void {
+    this.end("cancel");
+    this.solver.cancel();
+  }
+
+  /** The run is of no use any more. */
+  drop(): void {
+    this.end("drop");
+    this.solver.cancel();
+  }
+
+  /** Shows a match that was saved. */
+  restore(match: SavedMatch): void {
+    this.drop();
+    this.energies.value = [];
+    this.solved.value = this.subject.shapes.value;
+    this.frame.value = { kind: "frame", run: 0, trail: [], ...match };
+    this.fresh.value = true;
+    this.advance("restore");
+  }
+
+  /** Something moves under the hand: the match goes after it, or comes into being first. */
+  follow(at: number): void {
+    if (this.established) this.follower.follow(at);
+    else if (!isRunning(this.state.value)) this.start();
+  }
+
+  /** The hand has let go: goes on to the finest level, or begins anew where there is nothing to go on from. */
+  settle(): void {
+    this.follower.stop();
+    if (!this.established || this.state.value === "astray") this.start();
+    else {
+      this.asked = null;
+      this.advance("refine");
+      this.update(this.subject.settings.value);
+    }
+  }
+
+  /** A run under way starts again with what has changed; without one, the user decides. */
+  restartSoon(): void {
+    if (!isWorking(this.state.value) || isPaused(this.state.value)) return;
+    clearTimeout(this.restarting);
+    this.restarting = setTimeout(() => this.start(), RESTART_MILLIS);
+  }
+
+  /** To be called when `frame` has been drawn: reports how long it took from the hand to the picture. */
+  drawn(frame: FrameReply | null): void {
+    if (this.received === null || frame !== this.frame.value) return;
+    performance.measure("live-frame", { start: this.received, end: performance.now() });
+    // Observers have it; kept in the page's timeline, every frame would cost memory for good.
+    performance.clearMeasures("live-frame");
+    this.received = null;
+  }
+
+  private get current(): boolean {
+    const solved = this.solved.value;
+    const { reference, template } = this.subject.shapes.value;
+    return solved?.reference === reference && solved.template === template;
+  }
+
+  /** Whether the event has changed the state. */
+  private advance(event: PhaseEvent): boolean {
+    const before = this.state.value;
+    this.state.value = next(before, event);
+    return this.state.value !== before;
+  }
+
+  private receive(frame: FrameReply): void {
+    // First of all, for the next update is to be on its way before this frame is drawn.
+    this.follower.answered();
+    const { status } = frame;
+    const before = this.frame.value;
+    const { value: phase } = this.state;
+    this.received = this.asked;
+    this.asked = null;
+    if (phase === "astray") this.subject.say(null);
+    this.frame.value = frame;
+    this.fresh.value = true;
+    // Each update's energies are a history of their own, and too short to be read while the hand moves.
+    if (!isFollowing(phase)) {
+      this.energies.value = before?.run === frame.run ? [...this.energies.value, ...frame.trail] : frame.trail;
+    }
+    const refined = phase === "refining" || phase === "pausedRefining";
+    if (status.finished && refined && !(status.mismatch.max <= SETTLED_CELLS)) {
+      this.start();
+      return;
+    }
+    const ended = this.advance(status.finished ? "finish" : "frame") && this.state.value === "matched";
+    // The hand has moved on during a full match: catch up with it.
+    if (ended && this.subject.followsHand()) this.follow(performance.now());
+  }
+
+  private refuse(message: string): void {
+    if (this.state.value === "refining" || this.state.value === "pausedRefining") this.start();
+    else if (isFollowing(this.state.value)) {
+      this.advance("refuse");
+      this.follower.answered();
+      this.subject.say(message);
+    } else this.fail(message);
+  }
+
+  private fail(message: string): void {
+    this.end("drop");
+    this.subject.say(message);
+  }
+
+  private end(event: "cancel" | "drop"): void {
+    this.forget();
+    this.advance(event);
+    this.frame.value = null;
+  }
+
+  private forget(): void {
+    clearTimeout(this.restarting);
+    this.follower.stop();
+    this.asked = null;
+  }
+
+  private sendFollowing(at: number): void {
+    const chosen = this.subject.settings.value;
+    this.asked = at;
+    this.advance("follow");
+    this.update({ ...chosen, finest: Math.min(LIVE_LEVEL, finestLevel(chosen)) });
+  }
+
+  private update(settings: Chosen): void {
+    const { reference, template } = this.begin();
+    this.solver.update(reference, template, complete(settings));
+  }
+
+  private begin() {
+    const { reference, template } = this.subject.shapes.value;
+    this.solved.value = { reference, template };
+    return { reference: curves(reference), template: curves(template) };
+  }
+}
+
+function curves(shape: Shape) {
+  return { kind: "curves" as const, loops: [...shape] };
+}
+
+export function sentence(message: string): string {
+  const text = message.charAt(0).toUpperCase() + message.slice(1);
+  return /[.!?]$/.test(text) ? text : `${text}.`;
+}

@@ -64,6 +64,7 @@ pub mod inverse;
 pub mod metric;
 pub mod minimize;
 pub mod multigrid;
+pub mod narrow;
 pub mod prolongation;
 pub mod quadrature;
 pub mod ready;

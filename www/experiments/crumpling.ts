@@ -2,6 +2,7 @@
 
 import { type Context, cells, type Experiment, type Settings, small, table, text } from "./experiment";
 import { length } from "./measure";
+import { PAPER } from "./paper";
 import { circle } from "./shapes";
 import { type LevelEnd, solve } from "./solve";
 import { panels } from "./svg";
@@ -21,7 +22,7 @@ export async function crumple(context: Context, ratio: number, settings: Partial
   const { end } = await solve(context, {
     reference: circle(RADIUS),
     template: circle(RADIUS / ratio),
-    settings: { coarsest: 4, finest: 5, ...settings },
+    settings: { ...PAPER, coarsest: 4, finest: 5, ...settings },
   });
   return { ratio, excess: length(end.curves.matched) / ((2 * Math.PI * RADIUS) / ratio) - 1, end };
 }
@@ -37,7 +38,7 @@ export const crumplingExperiment: Experiment = {
   title: "Fig. 5: crumpling under strong shrinking",
   paper:
     "On 33² nodes a circle matched with a much smaller one does not shrink: it folds up in waves within the band and keeps much of its length. The distance term cannot tell a smooth curve from a crumpled one closer than the grid's resolution.",
-  setup: `Circle of radius ${RADIUS} to one smaller by the ratio, 17² then 33² nodes, default settings, with α_bend = 0 and 1. Measured: the length of the matched curve over the small circle's perimeter, less 1.`,
+  setup: `Circle of radius ${RADIUS} to one smaller by the ratio, 17² then 33² nodes, the paper's settings, with α_bend = 0 and 1. Measured: the length of the matched curve over the small circle's perimeter, less 1.`,
   hasShortForm: false,
   async run(context) {
     const results: { bending: number; crumples: Crumple[] }[] = [];

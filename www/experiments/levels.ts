@@ -1,6 +1,7 @@
 /** The cascade: the match after each level, and what a single fine level does instead. */
 
 import { type Context, cells, type Experiment, nodes, type Settings, seconds, small, table, text } from "./experiment";
+import { PAPER } from "./paper";
 import { example } from "./shapes";
 import { type LevelEnd, solve } from "./solve";
 import { panels } from "./svg";
@@ -10,7 +11,7 @@ const COARSEST = 4;
 export async function cascade(context: Context, finest: number): Promise<readonly LevelEnd[]> {
   const { levels } = await solve(context, {
     ...example("hand"),
-    settings: { coarsest: COARSEST, finest },
+    settings: { ...PAPER, coarsest: COARSEST, finest },
     everyLevel: true,
   });
   return levels;
@@ -20,7 +21,7 @@ export async function cascade(context: Context, finest: number): Promise<readonl
 export async function singleLevel(context: Context, finest: number, settings: Partial<Settings>): Promise<LevelEnd> {
   const { end } = await solve(context, {
     ...example("hand"),
-    settings: { coarsest: finest, finest, halving: false, ...settings },
+    settings: { ...PAPER, coarsest: finest, finest, halving: false, ...settings },
   });
   return end;
 }
@@ -31,7 +32,7 @@ export const cascadeExperiment: Experiment = {
   paper:
     "Complex surfaces are matched level by level, δ and ε halved each time (Fig. 7): the coarse levels find the large motion, the fine ones the features.",
   setup:
-    "The page's example “Hand → spread hand” with default settings, without alignment: 17² to 129² nodes, the state at the end of each level. Then the finest level alone, from the identity: once with the δ and ε that the cascade has there, once with those it starts with.",
+    "The page's example “Hand → spread hand” with the paper's settings: 17² to 129² nodes, the state at the end of each level. Then the finest level alone, from the identity: once with the δ and ε that the cascade has there, once with those it starts with.",
   hasShortForm: true,
   async run(context, size) {
     const finest = size === "full" ? 7 : 6;

@@ -14,8 +14,8 @@ This file and its figures are written by \`npm run reproduce\`, every number in 
 \`experiments.html\` computes the same live, from the same source (\`www/experiments\`). Lengths are in units of the box
 [0,1]²; n² means n nodes a side; a cell is the spacing of the grid; mismatch is |d₂(φ)| along the reference. Times are
 wall-clock times of one thread of WebAssembly in Node on the machine that wrote this file, the rest does not depend on
-the machine. Unless said otherwise settings have their defaults (\`src/settings.rs\`), except that every experiment of
-the paper starts from the identity.`;
+the machine. “The paper's settings”: from the identity, α_bend = 1, ξ = 10⁻³, eq. (2) as it stands and no H¹ residual
+(\`www/experiments/paper.ts\`); what is not named has its default (\`docs/settings.md\`).`;
 
 export function document(chapters: readonly Chapter[]): string {
   return [

@@ -1,6 +1,7 @@
 /** The metric: energy over iterations and over time for Sobolev gradients of several β and for Newton's method. */
 
 import { type Context, type Experiment, nodes, type Settings, seconds, small, table, text } from "./experiment";
+import { PAPER } from "./paper";
 import { circle, ellipse } from "./shapes";
 import { type Solution, solve } from "./solve";
 import { charts } from "./svg";
@@ -19,6 +20,7 @@ export async function descend(context: Context, level: number, settings: Partial
     reference: circle(0.2),
     template: ellipse(0.3, 0.22),
     settings: {
+      ...PAPER,
       coarsest: level,
       finest: level,
       thickness: 0.5 / 2 ** (level - 4),

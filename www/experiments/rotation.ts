@@ -2,6 +2,7 @@
 
 import { type Context, cells, type Experiment, nodes, type Settings, seconds, table, text } from "./experiment";
 import { rotationAngle } from "./measure";
+import { PAPER } from "./paper";
 import { roundedSquare } from "./shapes";
 import { type LevelEnd, solve } from "./solve";
 import { panels } from "./svg";
@@ -24,7 +25,7 @@ export async function rotate(
   const { end } = await solve(context, {
     reference: roundedSquare(0.12, 0.08, 0),
     template: roundedSquare(0.12, 0.08, angle),
-    settings: { coarsest: 4, finest, ...settings },
+    settings: { ...PAPER, coarsest: 4, finest, ...settings },
   });
   return { angle, found: rotationAngle(end.curves), end };
 }
@@ -47,7 +48,7 @@ export async function energyOf(
   deformation: Float64Array,
 ): Promise<{ match: number; rotation: number }> {
   const registration = await context.solver.create(roundedSquare(0.12, 0.08, 0), roundedSquare(0.12, 0.08, angle), {
-    align: "none",
+    ...PAPER,
     thickness: 0.5 / 2 ** (level - 4),
     penalty: 1e3 * 2 ** (level - 4),
     ...settings,
@@ -77,7 +78,7 @@ export const rotationExperiment: Experiment = {
   paper:
     "Shapes that differ by a rotation: with the bending energy (3) corners find corners. Without it, or with the mean curvature of eq. (10) in its place, they do not.",
   setup:
-    "Rounded square, half side 0.12, corner radius 0.08, matched with itself turned by 15°, 30°, 40° and 44.5°, from the identity, without alignment, default settings otherwise. At 45° the start is symmetric and nothing tells left from right, so half a degree is taken off. Measured: the rotation that takes the points of M1 to their partners best in the least squares sense; both minimisers.",
+    "Rounded square, half side 0.12, corner radius 0.08, matched with itself turned by 15°, 30°, 40° and 44.5°, from the identity, with the paper's settings otherwise. At 45° the start is symmetric and nothing tells left from right, so half a degree is taken off. Measured: the rotation that takes the points of M1 to their partners best in the least squares sense; both minimisers.",
   hasShortForm: true,
   async run(context, size) {
     const rows: string[][] = [];

@@ -39,10 +39,10 @@ export type Job = {
   readonly maxIterations?: number;
 };
 
-/** Solves without alignment unless the settings ask for it, as the paper does. */
+/** Solves to the end, or for `maxIterations`. */
 export async function solve(context: Context, job: Job): Promise<Solution> {
   const start = context.millis();
-  const registration = await context.solver.create(job.reference, job.template, { align: "none", ...job.settings });
+  const registration = await context.solver.create(job.reference, job.template, job.settings);
   try {
     const levels: LevelEnd[] = [];
     const moments: Moment[] = [];

@@ -2,6 +2,7 @@
 
 import { type Context, cells, type Experiment, type Settings, small, table, text } from "./experiment";
 import { length } from "./measure";
+import { PAPER } from "./paper";
 import { example } from "./shapes";
 import { type LevelEnd, solve } from "./solve";
 
@@ -46,7 +47,9 @@ export const SWEEPS: readonly Sweep[] = [
 ];
 
 export function sweepOne(context: Context, finest: number, settings: Partial<Settings>): Promise<LevelEnd> {
-  return solve(context, { ...example("hand"), settings: { coarsest: 4, finest, ...settings } }).then(({ end }) => end);
+  return solve(context, { ...example("hand"), settings: { ...PAPER, coarsest: 4, finest, ...settings } }).then(
+    ({ end }) => end,
+  );
 }
 
 export const sweepExperiment: Experiment = {
@@ -54,7 +57,7 @@ export const sweepExperiment: Experiment = {
   title: "What ε, δ, σ, ξ and θ do",
   paper: "The paper gives its parameters' values without a study of them.",
   setup:
-    "The page's example “Hand → spread hand”, 17² to 65² nodes, without alignment, one setting changed at a time and the others at their defaults (1/ε = 10³, δ = 0.5, σ = 0.05, ξ = 10⁻³, θ = 0.25).",
+    "The page's example “Hand → spread hand”, 17² to 65² nodes, one setting changed at a time and the others as in the paper (1/ε = 10³, δ = 0.5, σ = 0.05, ξ = 10⁻³, θ = 0.25).",
   hasShortForm: false,
   async run(context) {
     const blocks = [];

@@ -5,6 +5,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, w
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { heading, main, must, root } from "./lib/process.mjs";
+import { settingsModule, settingsTypes } from "./lib/settings.mjs";
 import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setup.mjs";
 
 // What every browser with SIMD has and what rustc takes for granted on this target, plus SIMD itself. wasm-opt refuses
@@ -24,7 +25,7 @@ const FEATURES = [
 
 /** Builds the solver for the page; with nothing changed it takes a fraction of a second. */
 export async function buildWasm() {
-  await packageWasm("thinshell", "thinshell", join(root, "www", "wasm"));
+  await packageWasm("thinshell", "thinshell", join(root, "www", "wasm"), writeSettings);
 }
 
 /** Builds the kernels of `npm run bench`, a module of their own. */
@@ -33,10 +34,23 @@ export async function buildBenchWasm() {
 }
 
 /**
+ * The settings as plain data and as a type, for those who need them without the solver.
+ * @param {string} folder with the package
+ */
+async function writeSettings(folder) {
+  const { initSync, describeSettings } = await import(pathToFileURL(join(folder, "thinshell.js")).href);
+  initSync({ module: readFileSync(join(folder, "thinshell_bg.wasm")) });
+  const settings = describeSettings();
+  writeFileSync(join(folder, "settings.js"), settingsModule(settings));
+  writeFileSync(join(folder, "settings.d.ts"), settingsTypes(settings));
+}
+
+/**
  * Compiles a crate of the workspace and packages it as `{name}.js`, `{name}.d.ts` and `{name}_bg.wasm`.
  * @param {string} crate @param {string} name @param {string} out
+ * @param {(folder: string) => Promise<void>} [complete] adds to the package
  */
-async function packageWasm(crate, name, out) {
+async function packageWasm(crate, name, out, complete) {
   await ensureRust();
   const bindgen = await ensureBindgen();
   const wanted = ["--target", "wasm32-unknown-unknown", "--lib", "--package", crate];
@@ -48,6 +62,7 @@ async function packageWasm(crate, name, out) {
   const key = createHash("sha256")
     .update(readFileSync(compiled))
     .update(readFileSync(new URL(import.meta.url)))
+    .update(readFileSync(new URL("./lib/settings.mjs", import.meta.url)))
     .update(readFileSync(join(root, "Cargo.lock")))
     .digest("hex");
   if (existsSync(stamp) && readFileSync(stamp, "utf8") === key) return;
@@ -64,6 +79,7 @@ async function packageWasm(crate, name, out) {
     `${name}_bg.wasm: ${kilobytes(before)} from wasm-bindgen, ${kilobytes(readFileSync(module).length)} after wasm-opt`,
   );
 
+  await complete?.(fresh);
   mkdirSync(out, { recursive: true });
   rmSync(stamp, { force: true });
   for (const file of readdirSync(fresh)) renameSync(join(fresh, file), join(out, file));

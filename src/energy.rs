@@ -121,6 +121,8 @@ pub trait Term<const D: usize> {
 /// The isotropic law that membrane and volume share, on the tangent space and on the whole space.
 ///
 /// W(A) = μ/2 tr A + g(det A), g(x) = (λ−2μ)/8 x + (λ+2μ)/8 / x.  Least at A = I; infinite at det A = 0.
+/// λ ≥ 2μ is needed: below, the term in det A is negative, and since det A outgrows tr A, energies have no lower bound
+/// (a volume enlarged beyond all bounds would be best). `Settings::validate` refuses it.
 /// Source: eqs. (2) and (8). λ and μ are the Lamé coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {

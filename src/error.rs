@@ -1,5 +1,6 @@
 //! What can be wrong with the input, in words that say what to do.
 
+use crate::words::quoted;
 use thiserror::Error;
 
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -10,6 +11,9 @@ pub enum Error {
     /// A setting out of its range.
     #[error("{name} is {value}, but must be {range}")]
     Setting { name: &'static str, value: String, range: String },
+    /// A setting that there is not, with the one that may have been meant, or all.
+    #[error("settings has no field {}; {hint}", quoted(name))]
+    UnknownSetting { name: String, hint: String },
     /// An array whose length does not fit.
     #[error("{name} holds {found} numbers, but {expected} are needed ({why})")]
     Length { name: &'static str, found: usize, expected: usize, why: String },

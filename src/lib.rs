@@ -75,3 +75,4 @@ pub mod small;
 pub mod stencil;
 #[cfg(target_arch = "wasm32")]
 mod web;
+mod words;

@@ -1,145 +1,65 @@
 //! Everything that can be chosen for a registration, with its range.
 
-use crate::energy::{BendingModel, Cutoff, Functional, Material, MembraneModel};
+mod declaration;
+mod kind;
+mod pins;
+mod reading;
+
+pub use declaration::{Alignment, Backend, LEAST_LEVEL, MOST_LEVEL, MinimizerKind, PINS, SETTINGS, Settings};
+pub use kind::{Group, Kind, Range, Setting, Value, Words};
+pub use pins::{MOST_PINS, Pin};
+pub use reading::named;
+
+use crate::energy::{Functional, Material};
 use crate::error::Error;
+use crate::words::number;
 
-/// How the first deformation is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Alignment {
-    /// The identity, as in the paper.
-    None,
-    /// The best of the identity and similarities that match centroid and area.
-    Similarity,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MinimizerKind {
-    /// Projected Gauss–Newton with multigrid.
-    Newton,
-    /// The paper's: Fletcher–Reeves in a Sobolev metric.
-    Ncg,
-}
-
-/// The settings of a registration. Lengths are domain units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// α_mem.
-    pub membrane: f64,
-    pub membrane_model: MembraneModel,
-    /// α_bend.
-    pub bending: f64,
-    pub bending_model: BendingModel,
-    /// δ on the coarsest level.
-    pub thickness: f64,
-    /// 1/ε on the coarsest level.
-    pub penalty: f64,
-    /// ρ of the H¹ residual on the finest level, in cells of a level; 0 leaves it out, as the paper does.
-    pub tangency: f64,
-    /// Weight of the pins, in units of the penalty; 0 ignores them.
-    pub pin_weight: f64,
-    /// ξ.
-    pub volume: f64,
-    /// ζ.
-    pub softness: f64,
-    pub material: Material,
-    /// σ, one value for all levels; 0 takes max(0.05, 1.5 h) with h of the finest level.
-    pub bandwidth: f64,
-    /// η.
-    pub cutoff: Cutoff,
-    /// r in cells.
-    pub fit_radius: f64,
-    /// θ.
-    pub vertex_share: f64,
-    /// The first level l, with 2^l cells a side.
-    pub coarsest: u32,
-    /// The last level.
-    pub finest: u32,
-    /// Halve δ and ε from level to level.
-    pub halving: bool,
-    pub alignment: Alignment,
-    pub minimizer: MinimizerKind,
-    /// β_max of the Sobolev metric.
-    pub sobolev: f64,
-    /// Relative decrease of the energy at which a level ends.
-    pub tolerance: f64,
-}
-
-/// The coarsest level there can be: 9 nodes a side.
-pub const LEAST_LEVEL: u32 = 3;
-/// The finest level there can be: 1025 nodes a side.
-pub const MOST_LEVEL: u32 = 10;
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            membrane: 1.0,
-            membrane_model: MembraneModel::Intrinsic,
-            bending: 1.0,
-            bending_model: BendingModel::ShapeOperator,
-            thickness: 0.5,
-            penalty: 1e3,
-            tangency: 0.25,
-            pin_weight: 1.0,
-            volume: 1e-3,
-            softness: 1.0,
-            material: Material { lambda: 2.0, mu: 0.25 },
-            bandwidth: 0.0,
-            cutoff: Cutoff::Quartic,
-            fit_radius: 2.0,
-            vertex_share: 0.25,
-            coarsest: 4,
-            finest: 7,
-            halving: true,
-            alignment: Alignment::Similarity,
-            minimizer: MinimizerKind::Newton,
-            sobolev: 0.5,
-            tolerance: 1e-5,
-        }
-    }
-}
+/// Half widths of a band, in cells of the finest level, that a registration makes sense with. Every point of a curve
+/// has a quadrature point within √D √0.6 / 4 ≤ 0.34 cells, so that such a band is seen everywhere; half a cell leaves
+/// that point some weight.
+const LEAST_BAND: f64 = 0.5;
+/// The same on levels before the finest, where the band is widened to it.
+const LEAST_COARSE_BAND: f64 = 0.35;
+/// Half width of the band where none is chosen: in domain units, and in cells of the finest level.
+const USUAL_BAND: (f64, f64) = (0.05, 1.5);
 
 impl Settings {
     /// # Errors
-    /// Names the first setting that is not finite or out of its range.
+    /// Names the first setting that is not finite or out of its range, or does not go with another.
     pub fn validate(&self) -> Result<(), Error> {
-        let at_least = |name, value: f64, least: f64| {
-            check(name, value, value.is_finite() && value >= least, || format!("a number from {least} up"))
-        };
-        let positive = |name, value: f64| {
-            check(name, value, value.is_finite() && value > 0.0, || "a number greater than 0".into())
-        };
-        let between = |name, value: f64, least: f64, most: f64| {
-            check(name, value, (least..=most).contains(&value), || format!("a number from {least} to {most}"))
-        };
-        at_least("membrane", self.membrane, 0.0)?;
-        at_least("bending", self.bending, 0.0)?;
-        positive("thickness", self.thickness)?;
-        positive("penalty", self.penalty)?;
-        between("tangency", self.tangency, 0.0, 10.0)?;
-        between("pinWeight", self.pin_weight, 0.0, 1e6)?;
-        // Without volume energy nothing keeps the space around the shell from folding.
-        positive("volume", self.volume)?;
-        between("interior", self.softness, 1e-6, 1.0)?;
-        positive("mu", self.material.mu)?;
-        at_least("lambda", self.material.lambda, 0.0)?;
-        between("bandwidth", self.bandwidth, 0.0, 1.0)?;
-        between("fitRadius", self.fit_radius, 1.5, 4.0)?;
-        between("vertexShare", self.vertex_share, 0.0, 1.0)?;
-        between("sobolev", self.sobolev, 0.0, 10.0)?;
-        between("tolerance", self.tolerance, 1e-14, 0.1)?;
-        let level = |name, value: u32, least: u32| {
-            check(name, f64::from(value), (least..=MOST_LEVEL).contains(&value), || {
-                format!("a level from {least} to {MOST_LEVEL} (2^level cells a side)")
-            })
-        };
-        level("coarsest", self.coarsest, LEAST_LEVEL)?;
-        level("finest", self.finest, self.coarsest)
+        for setting in SETTINGS {
+            setting.check(self.get(setting))?;
+        }
+        let refuse = |name, value, range: String| Err(Error::Setting { name, value: number(value), range });
+        if self.finest < self.coarsest {
+            let range = format!("at least {}, the value of coarsest", self.coarsest);
+            return refuse("finest", f64::from(self.finest), range);
+        }
+        if self.lambda < 2.0 * self.mu {
+            let range = format!(
+                "at least 2 mu = {}, or the energy falls without bound as the deformation grows; raise lambda or lower mu",
+                number(2.0 * self.mu)
+            );
+            return refuse("lambda", self.lambda, range);
+        }
+        let least = LEAST_BAND / f64::from(1_u32 << self.finest);
+        if self.bandwidth != 0.0 && self.bandwidth < least {
+            let range = format!(
+                "0 (automatic) or at least {}, half a cell of the finest grid, or no quadrature point sees the shell; widen it or raise finest",
+                number(least)
+            );
+            return refuse("bandwidth", self.bandwidth, range);
+        }
+        Ok(())
+    }
+
+    pub fn material(&self) -> Material {
+        Material { lambda: self.lambda, mu: self.mu }
     }
 
     /// The functional of a level.
     pub fn functional(&self, level: u32) -> Functional {
         let finer = if self.halving { f64::from(1_u32 << (level - self.coarsest)) } else { 1.0 };
-        let automatic = (1.5 / f64::from(1_u32 << self.finest)).max(0.05);
         Functional {
             membrane: self.membrane,
             bending: self.bending,
@@ -148,17 +68,22 @@ impl Settings {
             penalty: self.penalty * finer,
             volume: self.volume,
             softness: self.softness,
-            material: self.material,
-            bandwidth: if self.bandwidth > 0.0 { self.bandwidth } else { automatic },
+            material: self.material(),
+            bandwidth: self.bandwidth_on(level),
             cutoff: self.cutoff,
             fit_radius: self.fit_radius,
             vertex_share: self.vertex_share,
         }
     }
-}
 
-fn check(name: &'static str, value: f64, fits: bool, range: impl Fn() -> String) -> Result<(), Error> {
-    if fits { Ok(()) } else { Err(Error::Setting { name, value: value.to_string(), range: range() }) }
+    fn bandwidth_on(&self, level: u32) -> f64 {
+        let spacing = |level: u32| 1.0 / f64::from(1_u32 << level);
+        if self.bandwidth > 0.0 {
+            self.bandwidth.max(LEAST_COARSE_BAND * spacing(level))
+        } else {
+            USUAL_BAND.0.max(USUAL_BAND.1 * spacing(self.finest))
+        }
+    }
 }
 
 #[cfg(test)]
@@ -173,13 +98,21 @@ mod tests {
     #[test]
     fn a_setting_out_of_range_is_named_with_its_range() {
         type Spoil = fn(&mut Settings);
-        let broken: [(&str, Spoil); 6] = [
+        let broken: [(&str, Spoil); 14] = [
             ("penalty", |s| s.penalty = -1.0),
+            ("penalty", |s| s.penalty = 1e308),
             ("thickness", |s| s.thickness = f64::NAN),
+            ("thickness", |s| s.thickness = 1e200),
             ("membrane", |s| s.membrane = f64::INFINITY),
+            ("volume", |s| s.volume = 0.0),
             ("coarsest", |s| s.coarsest = 2),
             ("finest", |s| s.finest = 3),
             ("finest", |s| s.finest = 11),
+            ("lambda", |s| s.lambda = 0.49),
+            ("lambda", |s| s.mu = 1.01),
+            ("bandwidth", |s| s.bandwidth = 0.49 / 128.0),
+            ("tangency", |s| s.tangency = -0.1),
+            ("pinWeight", |s| s.pin_weight = 1e7),
         ];
         for (name, spoil) in broken {
             let mut settings = Settings::default();
@@ -196,5 +129,13 @@ mod tests {
         assert_eq!(fine.thickness * 4.0, coarse.thickness);
         assert_eq!(fine.penalty, coarse.penalty * 4.0);
         assert_eq!(fine.bandwidth, coarse.bandwidth);
+    }
+
+    #[test]
+    fn a_narrow_band_is_widened_where_cells_are_too_wide_to_see_it() {
+        let settings = Settings { bandwidth: 0.5 / 128.0, ..Settings::default() };
+        assert_eq!(settings.validate(), Ok(()));
+        assert_eq!(settings.functional(7).bandwidth, 0.5 / 128.0);
+        assert_eq!(settings.functional(4).bandwidth, 0.35 / 16.0);
     }
 }

@@ -1,5 +1,6 @@
 //! The JavaScript interface: conversions only.
 
+mod read;
 mod settings;
 mod shape;
 mod status;
@@ -11,13 +12,14 @@ use crate::error::Error;
 use crate::field::interpolate;
 use crate::ready::ready;
 use crate::report::report;
-use crate::settings::Settings;
+use crate::settings::{Pin, Settings};
 use crate::shape::Shape;
 use glam::DVec2;
 use js_sys::{Array, Float64Array, Object, Reflect};
+use read::property;
 use serde::Serialize;
-use settings::{merged, read_settings};
-use shape::{property, read_shape};
+use settings::Chosen;
+use shape::read_shape;
 use status::{Evaluation, Status};
 use wasm_bindgen::prelude::*;
 
@@ -64,8 +66,7 @@ pub struct Registration {
 struct Source {
     reference: Shape,
     template: Shape,
-    /// The settings as given.
-    settings: Object,
+    chosen: Chosen,
 }
 
 #[wasm_bindgen]
@@ -79,7 +80,7 @@ impl Registration {
         let source = Source {
             reference: read_shape("reference", &reference)?,
             template: read_shape("template", &template)?,
-            settings: merged(&Object::new(), settings)?,
+            chosen: Chosen::default().with(&settings)?,
         };
         let (settings, [reference, template]) = source.prepare()?;
         let cascade = Cascade::new(reference, template, settings).await?;
@@ -98,12 +99,12 @@ impl Registration {
     ) -> Result<JsValue, JsError> {
         let mut source = self.source.clone();
         for (name, shape) in [("reference", &mut source.reference), ("template", &mut source.template)] {
-            let given = property("update", &change, name)?;
+            let given = property("the change", &change, name)?;
             if !given.is_undefined() {
                 *shape = read_shape(name, &given)?;
             }
         }
-        source.settings = merged(&source.settings, property("update", &change, "settings")?)?;
+        source.chosen = source.chosen.with(&property("the change", &change, "settings")?)?;
         let (settings, [reference, template]) = source.prepare()?;
         self.cascade.update(reference, template, settings).await?;
         self.source = source;
@@ -121,6 +122,12 @@ impl Registration {
             self.cascade.step().await;
         }
         self.status()
+    }
+
+    /// The settings in force, defaults filled in.
+    #[wasm_bindgen(unchecked_return_type = "Settings")]
+    pub fn settings(&self) -> JsValue {
+        self.source.chosen.to_js()
     }
 
     /// φ at the nodes of the current level: x y x y …, x fastest, domain units.
@@ -212,7 +219,9 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsError> {
 
 impl Source {
     fn prepare(&self) -> Result<(Settings, [SignedDistance<2>; 2]), JsError> {
-        let settings = read_settings(&self.settings)?.chosen()?;
+        let settings = self.chosen.settings;
+        // The functional does not know them yet.
+        Pin::<2>::read(&self.chosen.pins)?;
         let distance = |name, shape: &Shape| {
             shape.distance(settings.finest).map_err(|problem| Error::Shape { shape: name, problem })
         };

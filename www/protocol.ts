@@ -30,7 +30,7 @@ export type Request =
       readonly run: number;
       readonly reference: Shape;
       readonly template: Shape;
-      readonly settings: Settings;
+      readonly settings: Partial<Settings>;
     }
   | { readonly kind: "pause"; readonly run: number }
   | { readonly kind: "resume"; readonly run: number }

@@ -52,7 +52,7 @@ export class Solver {
   }
 
   /** Goes on from the match there is with other shapes and settings, all of them given; ends the current run. */
-  update(reference: Shape, template: Shape, settings: Settings): void {
+  update(reference: Shape, template: Shape, settings: Partial<Settings>): void {
     this.run += 1;
     this.send({ kind: "update", run: this.run, reference, template, settings });
   }

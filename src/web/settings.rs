@@ -1,237 +1,141 @@
-//! Settings from JavaScript.
+//! Settings from and to JavaScript, by their declarations.
 
-use crate::energy::{BendingModel, Cutoff, Material, MembraneModel};
-use crate::error::Error;
-use crate::settings::{Alignment, MinimizerKind, Settings as Chosen};
-use js_sys::{Object, Reflect};
-use serde::Deserialize;
-use tsify::Tsify;
+use super::read::{described, names, numbers, property};
+use crate::settings::{Group, Kind, PINS, SETTINGS, Settings, Value, Words, named};
+use js_sys::{Array, Float64Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
-/// Every field optional; lengths in domain units.
-#[derive(Deserialize, Tsify)]
-#[serde(rename_all = "camelCase", deny_unknown_fields, default)]
-pub struct Settings {
-    /// α_mem.
-    membrane: f64,
-    #[tsify(type = "\"intrinsic\" | \"projected\"")]
-    membrane_model: Membrane,
-    /// α_bend.
-    bending: f64,
-    #[tsify(type = "\"shape-operator\" | \"mean-curvature\"")]
-    bending_model: Bending,
-    /// δ on the coarsest level.
-    thickness: f64,
-    /// 1/ε on the coarsest level.
-    penalty: f64,
-    /// ρ of the H¹ residual, in cells of a level; 0 is the paper.
-    tangency: f64,
-    /// In units of the penalty; 0 ignores the pins.
-    pin_weight: f64,
-    /// ξ.
-    volume: f64,
-    /// ζ, softness outside the reference.
-    interior: f64,
-    lambda: f64,
-    mu: f64,
-    /// σ; 0 is automatic.
-    bandwidth: f64,
-    #[tsify(type = "\"quartic\" | \"cosine\" | \"bump\"")]
-    cutoff: Profile,
-    /// r in cells.
-    fit_radius: f64,
-    /// θ.
-    vertex_share: f64,
-    /// First level l: (2^l + 1)^D nodes.
-    coarsest: f64,
-    /// Last level.
-    finest: f64,
-    /// Halve δ and ε from level to level.
-    halving: bool,
-    #[tsify(type = "\"none\" | \"similarity\"")]
-    align: Align,
-    #[tsify(type = "\"newton\" | \"ncg\"")]
-    minimizer: Minimizer,
-    /// β_max of the Sobolev metric ("ncg" only).
-    sobolev: f64,
-    /// Relative decrease of the energy at which a level ends.
-    tolerance: f64,
-    #[tsify(type = "\"cpu\" | \"auto\"")]
-    backend: Backend,
+// Both are written from `describeSettings` when the package is built.
+#[wasm_bindgen(typescript_custom_section)]
+const SETTINGS_TYPE: &str = r#"
+import type { Setting, Settings } from "./settings.js";
+export type { Setting, Settings };
+"#;
+
+/// Settings and pins.
+#[derive(Clone, Default)]
+pub(super) struct Chosen {
+    pub settings: Settings,
+    /// As they came: the dimension is the shapes'.
+    pub pins: Vec<f64>,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Membrane {
-    Intrinsic,
-    Projected,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum Bending {
-    ShapeOperator,
-    MeanCurvature,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Profile {
-    Quartic,
-    Cosine,
-    Bump,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Align {
-    None,
-    Similarity,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Minimizer {
-    Newton,
-    Ncg,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Backend {
-    Cpu,
-    Auto,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        let chosen = Chosen::default();
-        Self {
-            membrane: chosen.membrane,
-            membrane_model: match chosen.membrane_model {
-                MembraneModel::Intrinsic => Membrane::Intrinsic,
-                MembraneModel::Projected => Membrane::Projected,
-            },
-            bending: chosen.bending,
-            bending_model: match chosen.bending_model {
-                BendingModel::ShapeOperator => Bending::ShapeOperator,
-                BendingModel::MeanCurvature => Bending::MeanCurvature,
-            },
-            thickness: chosen.thickness,
-            penalty: chosen.penalty,
-            tangency: chosen.tangency,
-            pin_weight: chosen.pin_weight,
-            volume: chosen.volume,
-            interior: chosen.softness,
-            lambda: chosen.material.lambda,
-            mu: chosen.material.mu,
-            bandwidth: chosen.bandwidth,
-            cutoff: match chosen.cutoff {
-                Cutoff::Quartic => Profile::Quartic,
-                Cutoff::Cosine => Profile::Cosine,
-                Cutoff::Bump => Profile::Bump,
-            },
-            fit_radius: chosen.fit_radius,
-            vertex_share: chosen.vertex_share,
-            coarsest: f64::from(chosen.coarsest),
-            finest: f64::from(chosen.finest),
-            halving: chosen.halving,
-            align: match chosen.alignment {
-                Alignment::None => Align::None,
-                Alignment::Similarity => Align::Similarity,
-            },
-            minimizer: match chosen.minimizer {
-                MinimizerKind::Newton => Minimizer::Newton,
-                MinimizerKind::Ncg => Minimizer::Ncg,
-            },
-            sobolev: chosen.sobolev,
-            tolerance: chosen.tolerance,
-            backend: Backend::Auto,
+impl Chosen {
+    /// The same with what `change` names; a field set to undefined is one left out.
+    pub fn with(&self, change: &JsValue) -> Result<Self, JsError> {
+        let mut chosen = self.clone();
+        if change.is_undefined() || change.is_null() {
+            return Ok(chosen);
         }
+        if !change.is_object() || change.is_instance_of::<Array>() {
+            let found = described(change);
+            return Err(JsError::new(&format!("settings is {found}, but must be an object, every field optional")));
+        }
+        for name in names("settings", change)? {
+            let value = property("settings", change, &name)?;
+            if value.is_undefined() {
+                continue;
+            }
+            if name == PINS.name {
+                chosen.pins = numbers(PINS.name, &value)?;
+                continue;
+            }
+            let words = described(&value);
+            let text = value.as_string();
+            let value = match (value.as_f64(), value.as_bool(), &text) {
+                (Some(number), ..) => Value::Number(number),
+                (_, Some(flag), _) => Value::Flag(flag),
+                (.., Some(text)) => Value::Text(text),
+                _ => Value::Other(&words),
+            };
+            chosen.settings.set(named(&name)?, value)?;
+        }
+        chosen.settings.validate()?;
+        Ok(chosen)
+    }
+
+    pub fn to_js(&self) -> JsValue {
+        let object = Object::new();
+        for setting in SETTINGS {
+            put(&object, setting.words.name, &to_js(self.settings.get(setting)));
+        }
+        put(&object, PINS.name, &Float64Array::from(self.pins.as_slice()));
+        object.into()
     }
 }
 
-impl Settings {
-    pub(super) fn chosen(self) -> Result<Chosen, Error> {
-        // One CPU backend serves both names for now.
-        let (Backend::Cpu | Backend::Auto) = self.backend;
-        let settings = Chosen {
-            membrane: self.membrane,
-            membrane_model: match self.membrane_model {
-                Membrane::Intrinsic => MembraneModel::Intrinsic,
-                Membrane::Projected => MembraneModel::Projected,
-            },
-            bending: self.bending,
-            bending_model: match self.bending_model {
-                Bending::ShapeOperator => BendingModel::ShapeOperator,
-                Bending::MeanCurvature => BendingModel::MeanCurvature,
-            },
-            thickness: self.thickness,
-            penalty: self.penalty,
-            tangency: self.tangency,
-            pin_weight: self.pin_weight,
-            volume: self.volume,
-            softness: self.interior,
-            material: Material { lambda: self.lambda, mu: self.mu },
-            bandwidth: self.bandwidth,
-            cutoff: match self.cutoff {
-                Profile::Quartic => Cutoff::Quartic,
-                Profile::Cosine => Cutoff::Cosine,
-                Profile::Bump => Cutoff::Bump,
-            },
-            fit_radius: self.fit_radius,
-            vertex_share: self.vertex_share,
-            coarsest: level("coarsest", self.coarsest)?,
-            finest: level("finest", self.finest)?,
-            halving: self.halving,
-            alignment: match self.align {
-                Align::None => Alignment::None,
-                Align::Similarity => Alignment::Similarity,
-            },
-            minimizer: match self.minimizer {
-                Minimizer::Newton => MinimizerKind::Newton,
-                Minimizer::Ncg => MinimizerKind::Ncg,
-            },
-            sobolev: self.sobolev,
-            tolerance: self.tolerance,
+/// Every setting: its words, its kind, its default and what it can be.
+#[wasm_bindgen(js_name = describeSettings, unchecked_return_type = "Setting[]")]
+pub fn describe_settings() -> Array {
+    let defaults = Settings::default();
+    let described = SETTINGS.iter().map(|setting| {
+        let object = describe(&setting.words);
+        put(&object, "initial", &to_js(defaults.get(setting)));
+        let options = |options: &mut dyn Iterator<Item = (JsValue, &str)>| {
+            let list: Array = options
+                .map(|(value, label)| {
+                    let option = Object::new();
+                    put(&option, "value", &value);
+                    put(&option, "label", &label.into());
+                    option
+                })
+                .collect();
+            put(&object, "kind", &"choice".into());
+            put(&object, "options", &list);
         };
-        settings.validate()?;
-        Ok(settings)
-    }
-}
-
-fn level(name: &'static str, value: f64) -> Result<u32, Error> {
-    if (0.0..=30.0).contains(&value) && value.fract() == 0.0 {
-        Ok(value as u32)
-    } else {
-        Err(Error::Setting { name, value: value.to_string(), range: "a whole number of halvings of the box".into() })
-    }
-}
-
-/// The fields of both; where both have one, the change's.
-pub(super) fn merged(settings: &Object, change: JsValue) -> Result<Object, JsError> {
-    let fresh = Object::assign(&Object::new(), settings);
-    if change.is_undefined() || change.is_null() {
-        return Ok(fresh);
-    }
-    let Ok(change) = change.dyn_into::<Object>() else {
-        return Err(JsError::new("the settings must be an object, every field optional"));
-    };
-    let fresh = Object::assign(&fresh, &change);
-    for key in Object::keys(&fresh).iter() {
-        // A field set to undefined is one left out.
-        if Reflect::get(&fresh, &key).is_ok_and(|value| value.is_undefined()) {
-            let _ = Reflect::delete_property(&fresh, &key);
+        match &setting.kind {
+            Kind::Number(range) => {
+                put(&object, "kind", &"number".into());
+                put(&object, "least", &range.least.into());
+                put(&object, "most", &range.most.into());
+                put(&object, "why", &range.why.into());
+                put(&object, "usual", &pair(range.usual.0, range.usual.1));
+                put(&object, "unit", &range.unit.into());
+            }
+            Kind::Level { least, most, usual } => {
+                put(&object, "kind", &"level".into());
+                put(&object, "least", &(*least).into());
+                put(&object, "most", &(*most).into());
+                put(&object, "usual", &pair(usual.0, usual.1));
+            }
+            Kind::Choice(names) => options(&mut names.iter().map(|(name, label)| ((*name).into(), *label))),
+            Kind::Flag(labels) => options(&mut [true.into(), false.into()].into_iter().zip(*labels)),
         }
-    }
-    Ok(fresh)
+        object
+    });
+    let pins = describe(&PINS);
+    put(&pins, "kind", &"pins".into());
+    described.chain([pins]).collect()
 }
 
-pub(super) fn read_settings(settings: &Object) -> Result<Settings, JsError> {
-    let deserializer = serde_wasm_bindgen::Deserializer::from(JsValue::from(settings));
-    serde_path_to_error::deserialize(deserializer).map_err(|error| {
-        let name = error.path().to_string();
-        let problem = error.into_inner();
-        JsError::new(&if name == "." { format!("settings: {problem}") } else { format!("{name}: {problem}") })
-    })
+fn describe(words: &Words) -> Object {
+    let object = Object::new();
+    let group = match words.group {
+        Group::Energies => "Energies",
+        Group::Grid => "Grid",
+        Group::Method => "Method",
+    };
+    let texts = [("name", words.name), ("symbol", words.symbol), ("group", group), ("label", words.label)];
+    for (key, text) in texts.into_iter().chain([("help", words.help)]) {
+        put(&object, key, &text.into());
+    }
+    put(&object, "onPage", &words.on_page.into());
+    object
+}
+
+fn to_js(value: Value) -> JsValue {
+    match value {
+        Value::Number(value) => value.into(),
+        Value::Flag(value) => value.into(),
+        Value::Text(text) | Value::Other(text) => text.into(),
+    }
+}
+
+fn pair(low: impl Into<JsValue>, high: impl Into<JsValue>) -> JsValue {
+    Array::of2(&low.into(), &high.into()).into()
+}
+
+fn put(object: &Object, key: &str, value: &JsValue) {
+    // Setting a property of a fresh plain object cannot fail.
+    let _ = Reflect::set(object, &key.into(), value);
 }

@@ -1,9 +1,10 @@
 //! Shapes from JavaScript.
 
+use super::read::property as property_of;
 use crate::error::{Error, ShapeError};
 use crate::shape::Shape;
 use glam::DVec2;
-use js_sys::{Array, Float64Array, Reflect, Uint8Array};
+use js_sys::{Array, Float64Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 pub(super) fn read_shape(name: &'static str, shape: &JsValue) -> Result<Shape, JsError> {
@@ -56,9 +57,8 @@ fn wrong(shape: &str, field: &str, needed: &str) -> JsError {
     JsError::new(&format!("the {shape}'s {field} must be {needed}"))
 }
 
-pub(super) fn property(shape: &str, object: &JsValue, field: &str) -> Result<JsValue, JsError> {
-    Reflect::get(object, &field.into())
-        .map_err(|_| JsError::new(&format!("the {shape} must be an object of type Shape")))
+fn property(shape: &str, object: &JsValue, field: &str) -> Result<JsValue, JsError> {
+    property_of(&format!("the {shape}"), object, field)
 }
 
 fn text(shape: &str, object: &JsValue, field: &str) -> Result<String, JsError> {

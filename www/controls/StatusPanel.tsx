@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { isDone, isFollowing, isPaused, isWorking } from "../phase";
 import type { Status } from "../protocol";
 import type { Session } from "../session";
-import { finestLevel } from "../settings";
+import { coarsestLevel, finestLevel } from "../settings";
 import { drawEnergies } from "../view/chart";
 import { theme } from "../view/palette";
 import { cells, decimals } from "./numbers";
@@ -103,7 +103,7 @@ export function Progress({ session }: { session: Session }) {
   const phase = session.phase.value;
   if (!isWorking(phase)) return <div class="progress idle" />;
   const status = session.fresh.value ? session.match.value?.status : undefined;
-  const coarsest = session.settings.value.coarsest ?? 4;
+  const coarsest = coarsestLevel(session.settings.value);
   const finest = finestLevel(session.settings.value);
   // Nobody knows how many iterations a level will take: each brings the bar closer to the next level's mark.
   const within = status ? status.iteration / (status.iteration + 20) : 0;

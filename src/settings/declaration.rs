@@ -115,7 +115,7 @@ declare! {
     tangency: f64 = 0.25 => {
         name: "tangency", symbol: "ρ", group: Energies, on_page: true,
         label: "Tangency",
-        help: "How far the fit also looks at directions: the moved curve is to run along the second one, not in waves about it. On the finest grid; four times as many cells on those before. 0 is the paper.",
+        help: "Keeps the moved curve along the second one, not in waves about it. Coarser grids take four times as much. 0 is the paper.",
         kind: Kind::Number(Range::new(0.0, 10.0, "wider than that it sees no detail").usual(0.0, 4.0).unit("cells")),
     }
     pin_weight: f64 = 1.0 => {

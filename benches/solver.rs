@@ -9,7 +9,6 @@ mod kernels;
 use kernels::{GAP, assembler_of, distances, lowest, pairs, start_from_65};
 use std::time::Instant;
 use thinshell::cascade::Cascade;
-use thinshell::contour::zero_set;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::minimize::{Minimizer, Ncg, Newton};
@@ -71,10 +70,10 @@ fn main() {
         println!(
             "{name:22} {:10.1} {:11.4} {:11.4} {:8.3} {:20.3}",
             median(&mut times),
-            end.report.mismatch_mean,
-            end.report.mismatch_max,
+            end.report.mismatch.mean,
+            end.report.mismatch.max,
             end.least_determinant,
-            end.report.stretch_deviation / end.report.stretch_mean
+            end.report.stretch.deviation / end.report.stretch.mean
         );
     }
 }
@@ -100,7 +99,7 @@ fn race<M: Minimizer<2>>(shapes: &[SignedDistance<2>; 2], least: f64, make: impl
 struct End {
     energy: f64,
     least_determinant: f64,
-    report: Report,
+    report: Report<2>,
 }
 
 fn whole(shapes: &[SignedDistance<2>; 2], settings: Settings) -> End {
@@ -112,10 +111,9 @@ fn whole(shapes: &[SignedDistance<2>; 2], settings: Settings) -> End {
             break progress;
         }
     };
-    let curve = zero_set(cascade.grid(), shapes[0].values());
     End {
         energy: end.evaluation.total(),
         least_determinant: end.evaluation.least_determinant,
-        report: report(cascade.grid(), &curve, shapes[1].values(), cascade.displacement()),
+        report: report(&shapes[0], &shapes[1], cascade.displacement()),
     }
 }

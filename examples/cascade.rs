@@ -6,7 +6,6 @@ mod shapes;
 use glam::DVec2;
 use std::time::Instant;
 use thinshell::cascade::Cascade;
-use thinshell::contour::zero_set;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::ready::ready;
@@ -42,12 +41,7 @@ fn run(settings: &Settings, reference: Vec<DVec2>, template: Vec<DVec2>) {
         let next = last.replace(progress);
         if let Some(before) = next.filter(|before| before.level != progress.level || ended) {
             let shown = if ended { progress } else { before };
-            let report = report(
-                cascade.grid(),
-                &zero_set(cascade.grid(), cascade.reference().values()),
-                cascade.template().values(),
-                cascade.displacement(),
-            );
+            let report = report(&cascade.reference(), &cascade.template(), cascade.displacement());
             println!(
                 "  level {} {:7.1} ms  {:4} iterations {:5} evaluations  E {:.6e}  det {:.3}{}",
                 shown.level,
@@ -59,10 +53,10 @@ fn run(settings: &Settings, reference: Vec<DVec2>, template: Vec<DVec2>) {
                 if ended {
                     format!(
                         "  mismatch {:.3}/{:.3} h  stretch {:.3} ± {:.3}  {}",
-                        report.mismatch_mean,
-                        report.mismatch_max,
-                        report.stretch_mean,
-                        report.stretch_deviation,
+                        report.mismatch.mean,
+                        report.mismatch.max,
+                        report.stretch.mean,
+                        report.stretch.deviation,
                         progress.stop.map(|stop| stop.to_string()).unwrap_or_default()
                     )
                 } else {

@@ -15,6 +15,8 @@ mod winding;
 
 use crate::error::ShapeError;
 use crate::grid::Grid;
+use crate::hypersurface::Hypersurface;
+use std::sync::Arc;
 
 /// Cells that a shape keeps from the border, so that fits and differences around it stay inside the box.
 pub const CLEARANCE: f64 = 2.0;
@@ -24,6 +26,8 @@ pub const CLEARANCE: f64 = 2.0;
 pub struct SignedDistance<const D: usize> {
     grid: Grid<D>,
     values: Vec<f64>,
+    /// The outline as it was given, where it was; of nodal values it is their zero set.
+    outline: Option<Arc<Hypersurface<D>>>,
 }
 
 impl<const D: usize> SignedDistance<D> {
@@ -42,7 +46,13 @@ impl<const D: usize> SignedDistance<D> {
     /// If there is not one value a node.
     pub fn from_nodal(grid: Grid<D>, values: Vec<f64>) -> Self {
         assert_eq!(values.len(), grid.node_count(), "one value a node");
-        Self { grid, values }
+        Self { grid, values, outline: None }
+    }
+
+    /// The outline: as it was given, or the zero set of the values where only these are known.
+    pub fn outline(&self) -> Arc<Hypersurface<D>> {
+        let zero_set = || Arc::new(Hypersurface::zero_set(self.grid, &self.values));
+        self.outline.clone().unwrap_or_else(zero_set)
     }
 
     /// Nodal values used as they are, a signed distance or not.
@@ -53,7 +63,7 @@ impl<const D: usize> SignedDistance<D> {
     /// [`CLEARANCE`] cells of the border.
     pub fn from_level_set(grid: Grid<D>, values: Vec<f64>) -> Result<Self, ShapeError> {
         check_level_set(grid, &values)?;
-        let level_set = Self { grid, values };
+        let level_set = Self::from_nodal(grid, values);
         level_set.check_clearance(grid.cells())?;
         Ok(level_set)
     }
@@ -65,7 +75,7 @@ impl<const D: usize> SignedDistance<D> {
     /// As [`from_level_set`](Self::from_level_set).
     pub fn redistance(grid: Grid<D>, values: &[f64]) -> Result<Self, ShapeError> {
         check_level_set(grid, values)?;
-        let level_set = Self { grid, values: march::redistance(grid, values) };
+        let level_set = Self::from_nodal(grid, march::redistance(grid, values));
         level_set.check_clearance(grid.cells())?;
         Ok(level_set)
     }
@@ -83,7 +93,7 @@ impl<const D: usize> SignedDistance<D> {
             let values = (0..to.node_count())
                 .map(|node| self.values[from.node(to.node_index(node).map(|i| i * step))])
                 .collect();
-            return Self { grid: to, values };
+            return Self { grid: to, values, outline: self.outline.clone() };
         }
         assert!(cells.is_multiple_of(from.cells()), "{} cells are not nested in {cells}", from.cells());
         let step = cells / from.cells();
@@ -106,7 +116,7 @@ impl<const D: usize> SignedDistance<D> {
                     .sum()
             })
             .collect();
-        Self { grid: to, values }
+        Self { grid: to, values, outline: self.outline.clone() }
     }
 
     /// Whether the body keeps [`CLEARANCE`] cells of a grid of `cells` cells a side from the border of the box.

@@ -25,9 +25,9 @@
 //! Source: J. A. Iglesias, B. Berkels, M. Rumpf, O. Scherzer, "A Thin Shell Approach to the Registration of Implicit
 //! Surfaces", Vision, Modeling and Visualization 2013; equation numbers in this crate are the paper's.
 //!
-//! Modules, each using only those before it: [`small`], [`grid`], [`quadrature`], [`field`], [`distance`], [`energy`],
+//! Modules, each using only those before it: [`small`], [`grid`], [`quadrature`], [`field`], [`hypersurface`], [`distance`], [`energy`],
 //! [`stencil`], [`assemble`], [`metric`], [`multigrid`], [`minimize`], [`prolongation`], [`inverse`], [`align`],
-//! [`settings`], [`cascade`]; [`contour`] and [`report`] look at results, [`shape`] takes input.
+//! [`settings`], [`cascade`]; [`contour`], [`narrow`] and [`report`] look at shapes and results, [`shape`] takes input.
 //!
 //! ```
 //! use thinshell::{cascade::Cascade, ready::ready, settings::Settings, shape::Shape};
@@ -60,6 +60,7 @@ pub mod energy;
 pub mod error;
 pub mod field;
 pub mod grid;
+pub mod hypersurface;
 pub mod inverse;
 pub mod metric;
 pub mod minimize;

@@ -197,11 +197,9 @@ impl Registration {
             [self.cascade.reference(), self.cascade.template()].map(|shape| zero_set(shape.grid(), shape.values()));
     }
 
-    fn status(&mut self) -> Result<JsValue, JsError> {
-        self.update_curves();
+    fn status(&self) -> Result<JsValue, JsError> {
         let progress = self.cascade.progress();
-        let quality =
-            report(self.cascade.grid(), &self.curves[0], self.cascade.template().values(), self.cascade.displacement());
+        let quality = report(&self.cascade.reference(), &self.cascade.template(), self.cascade.displacement());
         to_js(&Status::new(&progress, &quality))
     }
 }

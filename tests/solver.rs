@@ -6,7 +6,6 @@ use common::{Random, circle, ellipse, leaf, random_pair, star};
 use glam::DVec2;
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::cascade::Cascade;
-use thinshell::contour::zero_set;
 use thinshell::distance::SignedDistance;
 use thinshell::energy::{Energies, Functional};
 use thinshell::grid::Grid;
@@ -25,7 +24,7 @@ struct Match {
     displacement: Vec<f64>,
     energy: f64,
     least_determinant: f64,
-    report: Report,
+    report: Report<2>,
 }
 
 fn register(reference: &SignedDistance<2>, template: &SignedDistance<2>, settings: Settings) -> Match {
@@ -36,9 +35,8 @@ fn register(reference: &SignedDistance<2>, template: &SignedDistance<2>, setting
             break progress;
         }
     };
-    let curve = zero_set(cascade.grid(), reference.values());
     Match {
-        report: report(cascade.grid(), &curve, template.values(), cascade.displacement()),
+        report: report(reference, template, cascade.displacement()),
         displacement: cascade.displacement().to_vec(),
         energy: end.evaluation.total(),
         least_determinant: end.evaluation.least_determinant,
@@ -187,8 +185,8 @@ fn a_circle_is_scaled_onto_a_larger_circle() {
     for minimizer in [MinimizerKind::Newton, MinimizerKind::Ncg] {
         let settings = Settings { finest: 6, minimizer, alignment: Alignment::None, ..Settings::default() };
         let result = register(&reference, &template, settings);
-        assert!(result.report.mismatch_max < 0.1, "{minimizer:?}: {}", result.report.mismatch_max);
-        assert!((result.report.stretch_mean - ratio).abs() < 0.01, "{minimizer:?}: {}", result.report.stretch_mean);
+        assert!(result.report.mismatch.max < 0.1, "{minimizer:?}: {}", result.report.mismatch.max);
+        assert!((result.report.stretch.mean - ratio).abs() < 0.01, "{minimizer:?}: {}", result.report.stretch.mean);
         let grid = Grid::<2>::of_level(6);
         let matched: Vec<(DVec2, DVec2)> = (0..24)
             .map(|k| {
@@ -233,7 +231,7 @@ fn random_pairs_match_without_a_fold() {
         let [reference, template] = random_pair(&mut Random(seed)).map(|curve| distance(6, curve));
         let result = register(&reference, &template, Settings { finest: 6, ..Settings::default() });
         assert!(result.least_determinant > 0.0, "seed {seed} folds");
-        within += usize::from(result.report.mismatch_max <= 0.5);
+        within += usize::from(result.report.mismatch.max <= 0.5);
     }
     assert!(within >= 28, "{within} of 30 within half a cell");
 }
@@ -261,9 +259,8 @@ fn an_update_goes_on_from_the_deformation_there_is() {
         steps += 1;
     }
     assert!(steps < 12, "{steps} iterations after a small change");
-    let curve = zero_set(cascade.grid(), reference.values());
-    let result = report(cascade.grid(), &curve, near.values(), cascade.displacement());
-    assert!(result.mismatch_max < 0.5, "{}", result.mismatch_max);
+    let result = report(&reference, &near, cascade.displacement());
+    assert!(result.mismatch.max < 0.5, "{}", result.mismatch.max);
     let coarser = Settings { finest: 5, ..settings };
     ready(cascade.update(reference.to_cells(32), near.to_cells(32), coarser)).expect("valid settings");
     assert_eq!(cascade.progress().level, 5);
@@ -276,11 +273,11 @@ fn a_shrunk_star_is_matched_by_exchanging_the_roles() {
     let (reference, template) =
         (distance(6, star(CENTRE, 0.26, 5, 0.25, 0.0)), distance(6, star(CENTRE, 0.17, 5, 0.15, 0.3)));
     let result = register(&reference, &template, Settings { finest: 6, ..Settings::default() });
-    assert!(result.report.mismatch_max < 0.5, "{}", result.report.mismatch_max);
+    assert!(result.report.mismatch.max < 0.5, "{}", result.report.mismatch.max);
     assert!(result.least_determinant > 0.0);
     let forwards = Settings { finest: 6, alignment: Alignment::None, ..Settings::default() };
     let crumpled = register(&reference, &template, forwards);
-    assert!(crumpled.report.mismatch_max > 0.5, "{}", crumpled.report.mismatch_max);
+    assert!(crumpled.report.mismatch.max > 0.5, "{}", crumpled.report.mismatch.max);
 }
 
 #[test]
@@ -289,8 +286,8 @@ fn a_turned_star_is_found_among_the_starts() {
     let (reference, template) = (star(CENTRE, 0.2, 6, 0.28, 0.1), star([0.56, 0.47], 0.25, 6, 0.22, 0.5));
     let result =
         register(&distance(6, reference), &distance(6, template), Settings { finest: 6, ..Settings::default() });
-    assert!(result.report.mismatch_max < 0.5, "{}", result.report.mismatch_max);
-    assert!(result.report.stretch_deviation < 0.35, "{}", result.report.stretch_deviation);
+    assert!(result.report.mismatch.max < 0.5, "{}", result.report.mismatch.max);
+    assert!(result.report.stretch.deviation < 0.35, "{}", result.report.stretch.deviation);
 }
 
 #[test]

@@ -1,13 +1,10 @@
 //! One pair.
 
 use super::family::Pair;
-use glam::DVec2;
 use std::fmt;
 use std::time::Instant;
 use thinshell::cascade::Cascade;
-use thinshell::contour::zero_set;
 use thinshell::distance::SignedDistance;
-use thinshell::field::interpolate;
 use thinshell::grid::Grid;
 use thinshell::narrow::narrowest;
 use thinshell::ready::ready;
@@ -80,10 +77,7 @@ pub fn run(pair: &Pair, level: u32) -> Outcome {
     };
     let millis = start.elapsed().as_secs_f64() * 1e3;
 
-    let curves = shapes.each_ref().map(|shape| zero_set(grid, shape.values()));
-    let moved = |x: DVec2| x + DVec2::from(interpolate::<2, 2>(grid, cascade.displacement(), &x.to_array()));
-    let matched: Vec<Vec<DVec2>> = curves[0].iter().map(|points| points.iter().map(|&x| moved(x)).collect()).collect();
-    let quality = report(grid, &curves[0], shapes[1].values(), cascade.displacement());
+    let quality = report(&shapes[0], &shapes[1], cascade.displacement());
     Outcome {
         name: pair.name.clone(),
         narrowest: [&pair.reference, &pair.template]
@@ -91,38 +85,11 @@ pub fn run(pair: &Pair, level: u32) -> Outcome {
             .filter_map(|loops| narrowest(loops, 8.0 / cells))
             .map(|narrowest| narrowest.width * cells)
             .min_by(f64::total_cmp),
-        mismatch_max: quality.mismatch_max,
-        cover_max: cover(&pair.template, &matched) * cells,
-        measure: length(&matched) / length(&curves[1]),
+        mismatch_max: quality.mismatch.max,
+        cover_max: quality.cover.max,
+        measure: quality.measure,
         least_determinant: end.evaluation.least_determinant,
         cost,
         millis,
     }
-}
-
-fn segments(loops: &[Vec<DVec2>]) -> impl Iterator<Item = [DVec2; 2]> {
-    loops.iter().flat_map(|points| (0..points.len()).map(|k| [points[k], points[(k + 1) % points.len()]]))
-}
-
-fn length(loops: &[Vec<DVec2>]) -> f64 {
-    segments(loops).map(|[a, b]| a.distance(b)).sum()
-}
-
-/// The greatest distance of the template's vertices and middles to the matched curve.
-fn cover(template: &[Vec<DVec2>], matched: &[Vec<DVec2>]) -> f64 {
-    let to_matched = |point: DVec2| {
-        segments(matched)
-            .map(|[a, b]| {
-                let along = b - a;
-                let t = ((point - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-                point.distance(a + t * along)
-            })
-            .min_by(f64::total_cmp)
-            .unwrap_or(f64::INFINITY)
-    };
-    segments(template)
-        .flat_map(|[a, b]| [a, 0.5 * (a + b)])
-        .map(to_matched)
-        .max_by(f64::total_cmp)
-        .unwrap_or(f64::INFINITY)
 }

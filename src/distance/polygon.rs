@@ -8,6 +8,11 @@ use super::outline::{COINCIDENT, outline};
 use super::winding::Region;
 use crate::error::ShapeError;
 use crate::grid::Grid;
+use crate::hypersurface::Hypersurface;
+use std::sync::Arc;
+
+/// Pieces of an outline shorter than this, in cells, are joined: its true place is needed to a small part of a cell.
+const SHORTEST: f64 = 0.1;
 
 impl SignedDistance<2> {
     /// The exact signed distance of the nodes to the outline of what `loops` enclose.
@@ -38,7 +43,8 @@ impl SignedDistance<2> {
         if !inside.contains(&true) {
             return Err(ShapeError::TooSmall { cells: grid.cells() });
         }
-        Ok(Self { grid, values: distances(grid, segments, &inside) })
+        let outline = Hypersurface::from_segments(segments, SHORTEST * grid.spacing(), grid.spacing());
+        Ok(Self { grid, values: distances(grid, segments, &inside), outline: Some(Arc::new(outline)) })
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::assemble::Evaluation as Evaluated;
 use crate::cascade::CascadeProgress;
 use crate::energy::Energies as Weighted;
-use crate::report::Report;
+use crate::report::{Report, Spread as Measured};
 use js_sys::Float64Array;
 use serde::Serialize;
 use tsify::Tsify;
@@ -19,9 +19,9 @@ pub struct Energies {
     total: f64,
 }
 
-/// |d2(φ)| along M1, in cells of the current level.
+/// A distance along an outline, in cells of the current level.
 #[derive(Serialize, Tsify)]
-pub struct Mismatch {
+pub struct Spread {
     mean: f64,
     max: f64,
 }
@@ -49,7 +49,12 @@ pub struct Status {
     energies: Energies,
     /// The least determinant of Dφ over the corners of all cells; > 0 always.
     least_determinant: f64,
-    mismatch: Mismatch,
+    /// |d2(φ)| along M1, the outline of the reference as it was given.
+    mismatch: Spread,
+    /// The distance of points of M2, the outline of the template as it was given, to φ(M1).
+    cover: Spread,
+    /// The length of φ(M1) over M2's: 1, more where it crumples, less where parts are missed.
+    measure: f64,
     stretch: Stretch,
 }
 
@@ -77,8 +82,14 @@ impl From<&Evaluated> for Energies {
     }
 }
 
+impl From<&Measured<2>> for Spread {
+    fn from(measured: &Measured<2>) -> Self {
+        Self { mean: measured.mean, max: measured.max }
+    }
+}
+
 impl Status {
-    pub(super) fn new(progress: &CascadeProgress, report: &Report) -> Self {
+    pub(super) fn new(progress: &CascadeProgress, report: &Report<2>) -> Self {
         Self {
             finished: progress.stop.is_some(),
             stop: progress.stop.map(|stop| stop.to_string()),
@@ -87,8 +98,10 @@ impl Status {
             evaluations: progress.evaluations,
             energies: Energies::from(&progress.evaluation),
             least_determinant: progress.evaluation.least_determinant,
-            mismatch: Mismatch { mean: report.mismatch_mean, max: report.mismatch_max },
-            stretch: Stretch { mean: report.stretch_mean, deviation: report.stretch_deviation },
+            mismatch: Spread::from(&report.mismatch),
+            cover: Spread::from(&report.cover),
+            measure: report.measure,
+            stretch: Stretch { mean: report.stretch.mean, deviation: report.stretch.deviation },
         }
     }
 }

@@ -1,0 +1,191 @@
+//! The distance to the nearest of many simplices, exactly.
+
+use super::Hypersurface;
+
+/// Simplices that are tried one by one.
+const LEAF: usize = 4;
+
+/// Boxes around simplices, halved again and again along their longest side.
+pub struct Tree<'a, const D: usize> {
+    surface: &'a Hypersurface<D>,
+    /// The simplices, those of a box next to each other.
+    order: Vec<u32>,
+    /// In depth-first order.
+    boxes: Vec<Bounds<D>>,
+}
+
+#[derive(Clone, Copy)]
+struct Bounds<const D: usize> {
+    low: [f64; D],
+    high: [f64; D],
+    /// The part of `order` inside.
+    first: u32,
+    count: u32,
+    /// The second half; the first one follows directly. Zero for a leaf.
+    second: u32,
+}
+
+impl<'a, const D: usize> Tree<'a, D> {
+    pub fn new(surface: &'a Hypersurface<D>) -> Self {
+        let centres: Vec<[f64; D]> = surface.middles().map(|(middle, _)| middle).collect();
+        let mut tree = Self { surface, order: (0..centres.len() as u32).collect(), boxes: Vec::new() };
+        if !centres.is_empty() {
+            tree.add(&centres, 0, centres.len());
+        }
+        tree
+    }
+
+    fn add(&mut self, centres: &[[f64; D]], first: usize, count: usize) {
+        let place = self.boxes.len();
+        let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
+        for &simplex in &self.order[first..first + count] {
+            for corner in self.surface.corners(simplex as usize) {
+                for axis in 0..D {
+                    low[axis] = low[axis].min(corner[axis]);
+                    high[axis] = high[axis].max(corner[axis]);
+                }
+            }
+        }
+        self.boxes.push(Bounds { low, high, first: first as u32, count: count as u32, second: 0 });
+        if count > LEAF {
+            let extent = |axis: usize| high[axis] - low[axis];
+            let longest = (0..D).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
+            let half = count / 2;
+            self.order[first..first + count].select_nth_unstable_by(half, |&a, &b| {
+                centres[a as usize][longest].total_cmp(&centres[b as usize][longest])
+            });
+            self.add(centres, first, half);
+            self.boxes[place].second = self.boxes.len() as u32;
+            self.add(centres, first + half, count - half);
+        }
+    }
+
+    /// The distance of a point to the surface; infinite if there is none, or if the point or all of it is not finite.
+    pub fn distance(&self, point: &[f64; D]) -> f64 {
+        let mut least = f64::INFINITY;
+        if let Some(bounds) = self.boxes.first() {
+            self.search(0, bounds.distance_squared(point), point, &mut least);
+        }
+        least.sqrt()
+    }
+
+    fn search(&self, place: usize, away: f64, point: &[f64; D], least: &mut f64) {
+        if away >= *least {
+            return;
+        }
+        let bounds = &self.boxes[place];
+        if bounds.second == 0 {
+            let part = bounds.first as usize..(bounds.first + bounds.count) as usize;
+            for &simplex in &self.order[part] {
+                let square = distance_squared(point, &self.surface.corners(simplex as usize));
+                if square < *least {
+                    *least = square;
+                }
+            }
+            return;
+        }
+        let halves = [place + 1, bounds.second as usize].map(|half| (half, self.boxes[half].distance_squared(point)));
+        let [near, far] = if halves[1].1 < halves[0].1 { [halves[1], halves[0]] } else { halves };
+        self.search(near.0, near.1, point, least);
+        self.search(far.0, far.1, point, least);
+    }
+}
+
+impl<const D: usize> Bounds<D> {
+    #[inline]
+    fn distance_squared(&self, point: &[f64; D]) -> f64 {
+        let mut square = 0.0;
+        for axis in 0..D {
+            let outside = (self.low[axis] - point[axis]).max(point[axis] - self.high[axis]).max(0.0);
+            square += outside * outside;
+        }
+        square
+    }
+}
+
+/// The squared distance to the simplex with these corners, at most three.
+fn distance_squared<const D: usize>(point: &[f64; D], corners: &[[f64; D]]) -> f64 {
+    let between = |from: &[f64; D], to: &[f64; D]| -> [f64; D] { std::array::from_fn(|axis| to[axis] - from[axis]) };
+    let product = |a: &[f64; D], b: &[f64; D]| -> f64 { (0..D).map(|axis| a[axis] * b[axis]).sum() };
+    let offset = between(&corners[0], point);
+    match corners.len() {
+        1 => product(&offset, &offset),
+        2 => {
+            let along = between(&corners[0], &corners[1]);
+            let square = product(&along, &along);
+            let t = if square > 0.0 { (product(&offset, &along) / square).clamp(0.0, 1.0) } else { 0.0 };
+            let foot: [f64; D] = std::array::from_fn(|axis| offset[axis] - t * along[axis]);
+            product(&foot, &foot)
+        }
+        _ => {
+            let (a, b) = (between(&corners[0], &corners[1]), between(&corners[0], &corners[2]));
+            let (aa, ab, bb) = (product(&a, &a), product(&a, &b), product(&b, &b));
+            let (oa, ob) = (product(&offset, &a), product(&offset, &b));
+            let det = aa * bb - ab * ab;
+            let (s, t) = ((oa * bb - ob * ab) / det, (ob * aa - oa * ab) / det);
+            // A triangle without area divides by zero and fails the comparison.
+            if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
+                let foot: [f64; D] = std::array::from_fn(|axis| offset[axis] - s * a[axis] - t * b[axis]);
+                return product(&foot, &foot);
+            }
+            // The nearest point lies on an edge.
+            [[0, 1], [1, 2], [2, 0]]
+                .map(|[i, j]| distance_squared(point, &[corners[i], corners[j]]))
+                .into_iter()
+                .fold(f64::INFINITY, f64::min)
+        }
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The least distance to a fine sampling of each simplex.
+    fn sampled<const D: usize>(surface: &Hypersurface<D>, point: [f64; D]) -> f64 {
+        const STEPS: usize = 40;
+        let mut least = f64::INFINITY;
+        for simplex in 0..surface.simplices().len() {
+            let corners = surface.corners(simplex);
+            for i in 0..=STEPS {
+                for j in 0..=(if D == 3 { STEPS - i } else { 0 }) {
+                    let weights = [(STEPS - i - j) as f64, i as f64, j as f64].map(|w| w / STEPS as f64);
+                    let square: f64 = (0..D)
+                        .map(|axis| (0..D).map(|k| weights[k] * corners[k][axis]).sum::<f64>() - point[axis])
+                        .map(|x| x * x)
+                        .sum();
+                    least = least.min(square);
+                }
+            }
+        }
+        least.sqrt()
+    }
+
+    fn agrees<const D: usize>(points: Vec<[f64; D]>, point: [f64; D]) -> Result<(), TestCaseError> {
+        let simplices = (0..points.len() / D).map(|k| std::array::from_fn(|i| (k * D + i) as u32)).collect();
+        let surface = Hypersurface::new(points, simplices);
+        let (found, expected) = (Tree::new(&surface).distance(&point), sampled(&surface, point));
+        prop_assert!(found <= expected + 1e-12 && expected - found < 0.05, "{found} is not {expected}");
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn the_tree_agrees_with_trying_many_points(
+            plane in prop::collection::vec(prop::array::uniform2(0.0..1.0f64), 2..60),
+            space in prop::collection::vec(prop::array::uniform3(0.0..1.0f64), 3..60),
+            point in prop::array::uniform3(-0.5..1.5f64),
+        ) {
+            agrees(plane, [point[0], point[1]])?;
+            agrees(space, point)?;
+        }
+    }
+
+    #[test]
+    fn nothing_is_infinitely_far_away() {
+        assert_eq!(Tree::new(&Hypersurface::<2>::default()).distance(&[0.5, 0.5]), f64::INFINITY);
+        let surface = Hypersurface::new(vec![[0.0, 0.0], [1.0, 0.0]], vec![[0, 1]]);
+        assert_eq!(Tree::new(&surface).distance(&[f64::NAN, 0.5]), f64::INFINITY);
+    }
+}

@@ -1,23 +1,27 @@
 //! The energy densities, one a file, and their weighted sum.
 //!
-//! A term sees one quadrature point and knows no grid. Its unknowns there are D vectors of length D, the *slots*:
+//! A term sees one quadrature point and knows no grid. Its unknowns there are D + 1 vectors of length D, the *slots*:
 //!
-//! | terms | slots |
-//! |---|---|
-//! | membrane, bending, mismatch | Dφ t_1, …, Dφ t_{D−1} (t: orthonormal tangents of the reference), φ |
-//! | volume | ∂φ/∂x_1, …, ∂φ/∂x_D |
+//! | terms | slots 0 … D−2 | slot D−1 ([`normal_slot`]) | slot D ([`position_slot`]) |
+//! |---|---|---|---|
+//! | of the shell | Dφ t_1, …, Dφ t_{D−1} (t: orthonormal tangents of the reference) | Dφ n | φ |
+//! | volume | ∂φ/∂x_1, …, ∂φ/∂x_{D−1} | ∂φ/∂x_D | – |
 //!
 //! One function gives value, derivative and a positive semi-definite hessian, so they cannot drift apart.
 
 mod bending;
 mod membrane;
 mod mismatch;
+mod projected;
 mod spectral;
+mod tangency;
 mod volume;
 
 pub use bending::{Bending, MeanCurvature};
 pub use membrane::Membrane;
 pub use mismatch::Mismatch;
+pub use projected::ProjectedMembrane;
+pub use tangency::Tangency;
 pub use volume::Volume;
 
 use crate::small::{Matrix, Scalar, Vector};
@@ -33,6 +37,8 @@ pub struct ReferenceJet<S, const D: usize> {
     pub off_tangential: S,
     /// tr D²d1.
     pub trace: S,
+    /// |∇d1|, fitted: about 1, less near the skeleton.
+    pub steepness: S,
 }
 
 /// The template at the moved point y = φ(x).
@@ -41,31 +47,60 @@ pub struct TemplateJet<S, const D: usize> {
     /// d2(y) and its derivative.
     pub distance: S,
     pub gradient: Vector<S, D>,
+    /// The fitted ∇d2(y), smoother than `gradient`, and its derivatives: `normal_slope[axis]`.
+    pub normal: Vector<S, D>,
+    pub normal_slope: [Vector<S, D>; D],
     /// D²d2(y) and its derivatives: `curvature_slope[axis]`.
     pub curvature: Matrix<S, D>,
     pub curvature_slope: [Matrix<S, D>; D],
 }
 
+/// Upper bound of D + 1.
+pub const MAX_SLOTS: usize = 4;
+
+/// One vector a slot; the first D + 1 count.
+pub type Slots<S, const D: usize> = [Vector<S, D>; MAX_SLOTS];
+
+/// The slot of Dφ n.
+pub const fn normal_slot<const D: usize>() -> usize {
+    D - 1
+}
+
+/// The slot of φ.
+pub const fn position_slot<const D: usize>() -> usize {
+    D
+}
+
 /// A quadrature point: the slots and both shapes' jets.
 #[derive(Clone, Copy)]
 pub struct Point<S, const D: usize> {
-    pub slots: [Vector<S, D>; D],
+    pub slots: Slots<S, D>,
     pub reference: ReferenceJet<S, D>,
     pub template: TemplateJet<S, D>,
 }
 
 impl<S: Scalar, const D: usize> Point<S, D> {
-    /// A point for a term that looks at the slots alone.
+    /// A point for a term that looks at Dφ alone, given by its columns.
     #[inline(always)]
-    pub fn of_slots(slots: [Vector<S, D>; D]) -> Self {
+    pub fn of_derivative(columns: [Vector<S, D>; D]) -> Self {
         let zero = S::zero();
         let matrix = [[zero; D]; D];
+        let mut slots = [[zero; D]; MAX_SLOTS];
+        slots[..D].copy_from_slice(&columns);
         Self {
             slots,
-            reference: ReferenceJet { distance: zero, curvature: matrix, off_tangential: zero, trace: zero },
+            reference: ReferenceJet {
+                distance: zero,
+                curvature: matrix,
+                off_tangential: zero,
+                trace: zero,
+                steepness: zero,
+            },
             template: TemplateJet {
                 distance: zero,
                 gradient: [zero; D],
+                normal: [zero; D],
+                normal_slope: [[zero; D]; D],
                 curvature: matrix,
                 curvature_slope: [matrix; D],
             },
@@ -77,27 +112,38 @@ impl<S: Scalar, const D: usize> Point<S, D> {
 #[derive(Clone, Copy)]
 pub struct Response<S, const D: usize> {
     /// `gradient[slot][component]`.
-    pub gradient: [Vector<S, D>; D],
+    pub gradient: Slots<S, D>,
     /// `hessian[p][q][a][b]`: slot p, component a against slot q, component b; filled for p ≤ q.
-    pub hessian: [[Matrix<S, D>; D]; D],
+    pub hessian: [[Matrix<S, D>; MAX_SLOTS]; MAX_SLOTS],
 }
 
 impl<S: Scalar, const D: usize> Response<S, D> {
     #[inline(always)]
     pub fn zero() -> Self {
         let zero = S::zero();
-        Self { gradient: [[zero; D]; D], hessian: [[[[zero; D]; D]; D]; D] }
+        Self { gradient: [[zero; D]; MAX_SLOTS], hessian: [[[[zero; D]; D]; MAX_SLOTS]; MAX_SLOTS] }
     }
 
-    /// hessian += weight · direction ⊗ direction.
+    /// gradient += weight · direction, the direction given in some of the slots.
     #[inline(always)]
-    pub fn add_outer(&mut self, weight: S, direction: &[Vector<S, D>; D]) {
-        for p in 0..D {
+    pub fn add_gradient<const N: usize>(&mut self, weight: S, direction: &[(usize, Vector<S, D>); N]) {
+        for (slot, part) in direction {
             for a in 0..D {
-                let scaled = weight * direction[p][a];
-                for q in p..D {
+                self.gradient[*slot][a] += weight * part[a];
+            }
+        }
+    }
+
+    /// hessian += weight · direction ⊗ direction, the direction given in some of the slots, in their order.
+    #[inline(always)]
+    pub fn add_outer<const N: usize>(&mut self, weight: S, direction: &[(usize, Vector<S, D>); N]) {
+        for p in 0..N {
+            let (first, part) = &direction[p];
+            for a in 0..D {
+                let scaled = weight * part[a];
+                for (second, other) in &direction[p..] {
                     for b in 0..D {
-                        self.hessian[p][q][a][b] += scaled * direction[q][b];
+                        self.hessian[*first][*second][a][b] += scaled * other[b];
                     }
                 }
             }
@@ -142,12 +188,12 @@ impl Material {
     }
 }
 
-/// What the membrane energy calls compression.
+/// Which membrane energy is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MembraneModel {
-    /// Eq. (2): the shell's own, wherever it lies.
+    /// Eq. (2): of the Cauchy–Green strain within the moved shell, wherever it lies.
     Intrinsic,
-    /// The part along the template's level sets: leaving them relieves nothing.
+    /// Its compression measured along the template, so that leaving the template relieves none.
     Projected,
 }
 
@@ -188,11 +234,12 @@ impl Cutoff {
 
 /// The functional E of a level: every weight, and the sum.
 ///
-/// E = α_mem δ ∫η W_mem + α_bend δ³ ∫η |S_rel|² + 1/ε ∫η (d2∘φ − d1)² + ξ ∫ (ζ + (1−ζ) χ_{d1<0}) W_vol
+/// E = α_mem δ ∫η W_mem + α_bend δ³ ∫η |S_rel|² + 1/ε ∫η [(d2∘φ − d1)² + ρ² W_tan] + ξ ∫ (ζ + (1−ζ) χ_{d1<0}) W_vol
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Functional {
     /// α_mem.
     pub membrane: f64,
+    pub membrane_model: MembraneModel,
     /// α_bend.
     pub bending: f64,
     pub bending_model: BendingModel,
@@ -200,6 +247,8 @@ pub struct Functional {
     pub thickness: f64,
     /// 1/ε.
     pub penalty: f64,
+    /// ρ, the length of the H¹ residual, domain units; 0 leaves it out.
+    pub tangency: f64,
     /// ξ.
     pub volume: f64,
     /// ζ, the softness outside the reference; 1 treats inside and outside alike.
@@ -215,7 +264,7 @@ pub struct Functional {
     pub vertex_share: f64,
 }
 
-/// Energies, each with its weight.
+/// Energies, each with its weight; the mismatch with its H¹ part.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energies {
     pub membrane: f64,
@@ -240,7 +289,10 @@ impl Functional {
         response: &mut Response<S, D>,
     ) -> [S; 3] {
         let membrane = weight * S::splat(self.membrane * self.thickness);
-        let mismatch = weight * S::splat(self.penalty);
+        let membrane_value = match self.membrane_model {
+            MembraneModel::Intrinsic => Membrane(self.material).add::<S, ORDER>(membrane, point, response),
+            MembraneModel::Projected => ProjectedMembrane(self.material).add::<S, ORDER>(membrane, point, response),
+        };
         let (bending, bending_value) = match self.bending_model {
             BendingModel::ShapeOperator => {
                 let bending = weight * S::splat(self.bending * self.thickness.powi(3));
@@ -251,10 +303,12 @@ impl Functional {
                 (bending, MeanCurvature.add::<S, ORDER>(bending, point, response))
             }
         };
-        [
-            membrane * Membrane(self.material).add::<S, ORDER>(membrane, point, response),
-            bending * bending_value,
-            mismatch * Mismatch.add::<S, ORDER>(mismatch, point, response),
-        ]
+        let penalty = weight * S::splat(self.penalty);
+        let mut mismatch = penalty * Mismatch.add::<S, ORDER>(penalty, point, response);
+        if self.tangency > 0.0 {
+            let tangency = penalty * S::splat(self.tangency * self.tangency);
+            mismatch += tangency * Tangency.add::<S, ORDER>(tangency, point, response);
+        }
+        [membrane * membrane_value, bending * bending_value, mismatch]
     }
 }

@@ -22,6 +22,9 @@ const LEAST_BAND: f64 = 0.5;
 const LEAST_COARSE_BAND: f64 = 0.35;
 /// Half width of the band where none is chosen: in domain units, and in cells of the finest level.
 const USUAL_BAND: (f64, f64) = (0.05, 1.5);
+/// ρ on levels before the finest, in units of the setting: a wide residual holds the shell there, and on the finest level
+/// would cost accuracy.
+const COARSE_TANGENCY: f64 = 4.0;
 
 impl Settings {
     /// # Errors
@@ -60,12 +63,15 @@ impl Settings {
     /// The functional of a level.
     pub fn functional(&self, level: u32) -> Functional {
         let finer = if self.halving { f64::from(1_u32 << (level - self.coarsest)) } else { 1.0 };
+        let tangency = if level < self.finest { COARSE_TANGENCY * self.tangency } else { self.tangency };
         Functional {
             membrane: self.membrane,
+            membrane_model: self.membrane_model,
             bending: self.bending,
             bending_model: self.bending_model,
             thickness: self.thickness / finer,
             penalty: self.penalty * finer,
+            tangency: tangency / f64::from(1_u32 << level),
             volume: self.volume,
             softness: self.softness,
             material: self.material(),

@@ -240,3 +240,16 @@ pub fn frame<const D: usize>(normal: &[f64; D]) -> [[f64; D]; D] {
     }
     frame
 }
+
+/// The last vector of a [`frame`] from those before it.
+#[inline(always)]
+pub fn normal_to<S: Scalar, const D: usize>(frame: &[Vector<S, D>; D]) -> Vector<S, D> {
+    std::array::from_fn(|k| match D {
+        2 if k == 0 => frame[0][1],
+        2 => -frame[0][0],
+        _ => {
+            let (k1, k2) = ((k + 1) % D, (k + 2) % D);
+            frame[0][k1] * frame[1][k2] - frame[0][k2] * frame[1][k1]
+        }
+    })
+}

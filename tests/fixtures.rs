@@ -6,7 +6,7 @@
 use serde::Deserialize;
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
-use thinshell::energy::{BendingModel, Cutoff, Energies, Functional, Material};
+use thinshell::energy::{BendingModel, Cutoff, Energies, Functional, Material, MembraneModel};
 use thinshell::field::quadratic_fit;
 use thinshell::grid::Grid;
 use thinshell::ready::ready;
@@ -71,10 +71,12 @@ fn load<const D: usize>(text: &str) -> Fixture {
 fn functional(params: &Params) -> Functional {
     Functional {
         membrane: params.a_mem,
+        membrane_model: MembraneModel::Intrinsic,
         bending: params.a_bend,
         bending_model: BendingModel::ShapeOperator,
         thickness: params.delta,
         penalty: params.inv_eps,
+        tangency: 0.0,
         volume: params.xi,
         softness: params.zeta,
         material: Material { lambda: params.lambda, mu: params.mu },

@@ -4,18 +4,18 @@ mod common;
 
 use common::Random;
 use thinshell::energy::{
-    Bending, GRADIENT, HESSIAN, Material, MeanCurvature, Membrane, Mismatch, Point, ReferenceJet, Response,
-    TemplateJet, Term, VALUE, Volume,
+    Bending, GRADIENT, HESSIAN, MAX_SLOTS, Material, MeanCurvature, Membrane, Mismatch, Point, ProjectedMembrane,
+    ReferenceJet, Response, Slots, Tangency, TemplateJet, Term, VALUE, Volume, normal_slot, position_slot,
 };
 use thinshell::small::{F64x2, Scalar};
 
 const MATERIAL: Material = Material { lambda: 2.0, mu: 0.25 };
 
-/// A template whose distance and curvature are quadratic functions of y, with exact derivatives.
+/// A template whose distance, normal and curvature are quadratic functions of y, with exact derivatives.
 struct Template<const D: usize> {
     value: [f64; 8],
+    normal: [[f64; 8]; 3],
     curvature: [[[f64; 8]; 3]; 3],
-    y_slot: usize,
 }
 
 impl<const D: usize> Template<D> {
@@ -28,7 +28,21 @@ impl<const D: usize> Template<D> {
                 curvature[b][a] = curvature[a][b];
             }
         }
-        Self { value: coefficients(), curvature, y_slot: D - 1 }
+        let mut normal = [[0.0; 8]; 3];
+        for (axis, normal) in normal.iter_mut().enumerate().take(D) {
+            // About a unit vector along the last axis.
+            *normal = coefficients().map(|c| 0.2 * c);
+            normal[0] += if axis == D - 1 { 1.0 } else { 0.0 };
+        }
+        Self { value: coefficients(), normal, curvature }
+    }
+
+    /// With the same normal everywhere.
+    fn with_even_normal(mut self) -> Self {
+        for normal in &mut self.normal {
+            normal[1..].fill(0.0);
+        }
+        self
     }
 
     /// c₀ + Σ c_{1+k} y_k + Σ c_{4+k} y_k², and its gradient.
@@ -37,9 +51,18 @@ impl<const D: usize> Template<D> {
         (value, std::array::from_fn(|k| c[1 + k] + 2.0 * c[4 + k] * y[k]))
     }
 
-    fn point(&self, slots: [[f64; D]; D], reference: ReferenceJet<f64, D>) -> Point<f64, D> {
-        let y = &slots[self.y_slot];
+    fn point(&self, slots: Slots<f64, D>, reference: ReferenceJet<f64, D>) -> Point<f64, D> {
+        let y = &slots[position_slot::<D>()];
         let (distance, gradient) = Self::quadratic(&self.value, y);
+        let mut normal = [0.0; D];
+        let mut normal_slope = [[0.0; D]; D];
+        for a in 0..D {
+            let (value, slope) = Self::quadratic(&self.normal[a], y);
+            normal[a] = value;
+            for k in 0..D {
+                normal_slope[k][a] = slope[k];
+            }
+        }
         let mut curvature = [[0.0; D]; D];
         let mut curvature_slope = [[[0.0; D]; D]; D];
         for a in 0..D {
@@ -51,11 +74,12 @@ impl<const D: usize> Template<D> {
                 }
             }
         }
-        Point { slots, reference, template: TemplateJet { distance, gradient, curvature, curvature_slope } }
+        let template = TemplateJet { distance, gradient, normal, normal_slope, curvature, curvature_slope };
+        Point { slots, reference, template }
     }
 }
 
-fn random_slots<const D: usize>(random: &mut Random) -> [[f64; D]; D] {
+fn random_slots<const D: usize>(random: &mut Random) -> Slots<f64, D> {
     // Near the identity, so that no determinant changes sign.
     std::array::from_fn(|p| std::array::from_fn(|a| random.between(-0.3, 0.3) + if p == a { 1.0 } else { 0.0 }))
 }
@@ -73,14 +97,15 @@ fn random_reference<const D: usize>(random: &mut Random) -> ReferenceJet<f64, D>
         curvature,
         off_tangential: random.between(0.0, 1.0),
         trace: random.between(-1.0, 1.0),
+        steepness: random.between(0.8, 1.1),
     }
 }
 
-fn moved<const D: usize>(slots: &[[f64; D]; D], step: f64, direction: &[[f64; D]; D]) -> [[f64; D]; D] {
+fn moved<const D: usize>(slots: &Slots<f64, D>, step: f64, direction: &Slots<f64, D>) -> Slots<f64, D> {
     std::array::from_fn(|p| std::array::from_fn(|a| slots[p][a] + step * direction[p][a]))
 }
 
-fn pair<const D: usize>(a: &[[f64; D]; D], b: &[[f64; D]; D]) -> f64 {
+fn pair<const D: usize>(a: &Slots<f64, D>, b: &Slots<f64, D>) -> f64 {
     a.iter().flatten().zip(b.iter().flatten()).map(|(x, y)| x * y).sum()
 }
 
@@ -91,7 +116,7 @@ fn taylor<const D: usize>(term: &impl Term<D>) {
         let template = Template::<D>::random(&mut random);
         let reference = random_reference(&mut random);
         let slots = random_slots(&mut random);
-        let direction: [[f64; D]; D] = std::array::from_fn(|_| std::array::from_fn(|_| random.between(-1.0, 1.0)));
+        let direction: Slots<f64, D> = std::array::from_fn(|_| std::array::from_fn(|_| random.between(-1.0, 1.0)));
         let mut response = Response::zero();
         let value = term.add::<f64, GRADIENT>(1.0, &template.point(slots, reference), &mut response);
         let slope = pair(&response.gradient, &direction);
@@ -111,9 +136,9 @@ fn taylor<const D: usize>(term: &impl Term<D>) {
 
 /// The full symmetric matrix of a response's hessian.
 fn matrix<const D: usize>(response: &Response<f64, D>) -> Vec<Vec<f64>> {
-    let mut m = vec![vec![0.0; D * D]; D * D];
-    for p in 0..D {
-        for q in p..D {
+    let mut m = vec![vec![0.0; (D + 1) * D]; (D + 1) * D];
+    for p in 0..=D {
+        for q in p..=D {
             for a in 0..D {
                 for b in 0..D {
                     m[p * D + a][q * D + b] = response.hessian[p][q][a][b];
@@ -152,7 +177,7 @@ fn hessian_is_semidefinite<const D: usize>(term: &impl Term<D>) {
         let slots = random_slots::<D>(&mut random).map(|v| v.map(|x| x * squeeze));
         let mut response = Response::zero();
         term.add::<f64, HESSIAN>(1.0, &template.point(slots, random_reference(&mut random)), &mut response);
-        for p in 0..D {
+        for p in 0..=D {
             for a in 0..D {
                 for b in 0..D {
                     let (upper, lower) = (response.hessian[p][p][a][b], response.hessian[p][p][b][a]);
@@ -167,10 +192,10 @@ fn hessian_is_semidefinite<const D: usize>(term: &impl Term<D>) {
 /// Where nothing is clipped and the residual is zero, the hessian is the derivative of the gradient.
 fn hessian_is_exact<const D: usize>(
     term: &impl Term<D>,
-    point: impl Fn([[f64; D]; D]) -> Point<f64, D>,
-    slots: [[f64; D]; D],
+    point: impl Fn(Slots<f64, D>) -> Point<f64, D>,
+    slots: Slots<f64, D>,
 ) {
-    let gradient = |slots: [[f64; D]; D]| {
+    let gradient = |slots: Slots<f64, D>| {
         let mut response = Response::zero();
         term.add::<f64, GRADIENT>(1.0, &point(slots), &mut response);
         response.gradient
@@ -179,13 +204,13 @@ fn hessian_is_exact<const D: usize>(
     term.add::<f64, HESSIAN>(1.0, &point(slots), &mut response);
     let found = matrix(&response);
     let step = 1e-5;
-    for q in 0..D {
+    for q in 0..=D {
         for b in 0..D {
-            let mut direction = [[0.0; D]; D];
+            let mut direction = [[0.0; D]; MAX_SLOTS];
             direction[q][b] = 1.0;
             let (ahead, behind) =
                 (gradient(moved(&slots, step, &direction)), gradient(moved(&slots, -step, &direction)));
-            for p in 0..D {
+            for p in 0..=D {
                 for a in 0..D {
                     let quotient = (ahead[p][a] - behind[p][a]) / (2.0 * step);
                     let entry = found[p * D + a][q * D + b];
@@ -200,6 +225,10 @@ fn hessian_is_exact<const D: usize>(
 fn all_terms_have_second_order_taylor_remainders() {
     taylor::<2>(&Membrane(MATERIAL));
     taylor::<3>(&Membrane(MATERIAL));
+    taylor::<2>(&ProjectedMembrane(MATERIAL));
+    taylor::<3>(&ProjectedMembrane(MATERIAL));
+    taylor::<2>(&Tangency);
+    taylor::<3>(&Tangency);
     taylor::<2>(&Bending);
     taylor::<3>(&Bending);
     taylor::<2>(&MeanCurvature);
@@ -214,6 +243,10 @@ fn all_terms_have_second_order_taylor_remainders() {
 fn all_hessians_are_symmetric_without_negative_eigenvalues() {
     hessian_is_semidefinite::<2>(&Membrane(MATERIAL));
     hessian_is_semidefinite::<3>(&Membrane(MATERIAL));
+    hessian_is_semidefinite::<2>(&ProjectedMembrane(MATERIAL));
+    hessian_is_semidefinite::<3>(&ProjectedMembrane(MATERIAL));
+    hessian_is_semidefinite::<2>(&Tangency);
+    hessian_is_semidefinite::<3>(&Tangency);
     hessian_is_semidefinite::<2>(&Bending);
     hessian_is_semidefinite::<3>(&Bending);
     hessian_is_semidefinite::<2>(&MeanCurvature);
@@ -230,7 +263,7 @@ fn stretched_densities_are_exact<const D: usize>() {
     let unused = random_reference(&mut random);
     let template = Template::<D>::random(&mut random);
     for _ in 0..20 {
-        let slots: [[f64; D]; D] = std::array::from_fn(|p| {
+        let slots: Slots<f64, D> = std::array::from_fn(|p| {
             std::array::from_fn(|a| random.between(-0.01, 0.01) + if p == a { 1.05 } else { 0.0 })
         });
         hessian_is_exact(&Membrane(MATERIAL), |slots| template.point(slots, unused), slots);
@@ -242,6 +275,66 @@ fn stretched_densities_are_exact<const D: usize>() {
 fn the_hessian_of_a_stretched_body_is_the_second_derivative() {
     stretched_densities_are_exact::<2>();
     stretched_densities_are_exact::<3>();
+}
+
+/// Along a template with an even normal, a tangential shell has the hessian of the plain membrane and, across, one of
+/// its own; both exact.
+fn projected_membrane_is_exact_on_the_template<const D: usize>() {
+    let mut random = Random(17);
+    for _ in 0..20 {
+        let template = Template::<D>::random(&mut random).with_even_normal();
+        let reference = random_reference(&mut random);
+        let mut slots: Slots<f64, D> = std::array::from_fn(|p| {
+            std::array::from_fn(|a| random.between(-0.01, 0.01) + if p == a { 1.05 } else { 0.0 })
+        });
+        align_with_template(&template, reference, &mut slots);
+        hessian_is_exact(&ProjectedMembrane(MATERIAL), |slots| template.point(slots, reference), slots);
+    }
+}
+
+#[test]
+fn the_projected_membrane_has_its_second_derivative_on_the_template() {
+    projected_membrane_is_exact_on_the_template::<2>();
+    projected_membrane_is_exact_on_the_template::<3>();
+}
+
+/// Makes Dφ t_i tangential to the template and Dφ n its normal's inverse: g·Dφ t_i = 0, g·Dφ n = |∇d1|.
+fn align_with_template<const D: usize>(
+    template: &Template<D>,
+    reference: ReferenceJet<f64, D>,
+    slots: &mut Slots<f64, D>,
+) {
+    let g = template.point(*slots, reference).template.normal;
+    let square = thinshell::small::dot(&g, &g);
+    for (i, slot) in slots.iter_mut().enumerate().take(D) {
+        let wanted = if i == normal_slot::<D>() { reference.steepness } else { 0.0 };
+        let missing = (wanted - thinshell::small::dot(&g, slot)) / square;
+        *slot = thinshell::small::add_scaled(slot, missing, &g);
+    }
+}
+
+/// A shell that lies on the template costs what the plain membrane costs, however stretched.
+#[test]
+fn on_the_template_both_membranes_are_one() {
+    fn compare<const D: usize>() {
+        let mut random = Random(19);
+        for _ in 0..20 {
+            let mut template = Template::<D>::random(&mut random).with_even_normal();
+            // A unit vector.
+            let length = (0..D).map(|k| template.normal[k][0].powi(2)).sum::<f64>().sqrt();
+            template.normal.iter_mut().for_each(|normal| normal[0] /= length);
+            let reference = random_reference(&mut random);
+            let mut slots = random_slots(&mut random);
+            align_with_template(&template, reference, &mut slots);
+            let point = template.point(slots, reference);
+            let mut unused = Response::zero();
+            let plain = Membrane(MATERIAL).add::<f64, VALUE>(1.0, &point, &mut unused);
+            let projected = ProjectedMembrane(MATERIAL).add::<f64, VALUE>(1.0, &point, &mut unused);
+            assert!((plain - projected).abs() < 1e-12 * plain, "{projected} is not {plain}");
+        }
+    }
+    compare::<2>();
+    compare::<3>();
 }
 
 /// With the reference's jet equal to the template's, the residual vanishes and Gauss–Newton is exact.
@@ -263,6 +356,9 @@ fn gauss_newton_is_exact_without_residual<const D: usize>() {
         hessian_is_exact(&Bending, |slots| template.point(slots, reference), slots);
         hessian_is_exact(&MeanCurvature, |slots| template.point(slots, reference), slots);
         hessian_is_exact(&Mismatch, |slots| template.point(slots, reference), slots);
+        let mut aligned = slots;
+        align_with_template(&template, reference, &mut aligned);
+        hessian_is_exact(&Tangency, |slots| template.point(slots, reference), aligned);
     }
 }
 
@@ -284,16 +380,19 @@ fn lanes_give_what_the_scalar_gives() {
             std::array::from_fn(|a| std::array::from_fn(|b| pick(&|point| f(point)[a][b])))
         };
         let lanes = Point {
-            slots: matrix(&|p| p.slots),
+            slots: std::array::from_fn(|slot| std::array::from_fn(|a| pick(&|p| p.slots[slot][a]))),
             reference: ReferenceJet {
                 distance: pick(&|p| p.reference.distance),
                 curvature: matrix(&|p| p.reference.curvature),
                 off_tangential: pick(&|p| p.reference.off_tangential),
                 trace: pick(&|p| p.reference.trace),
+                steepness: pick(&|p| p.reference.steepness),
             },
             template: TemplateJet {
                 distance: pick(&|p| p.template.distance),
                 gradient: std::array::from_fn(|a| pick(&|p| p.template.gradient[a])),
+                normal: std::array::from_fn(|a| pick(&|p| p.template.normal[a])),
+                normal_slope: matrix(&|p| p.template.normal_slope),
                 curvature: matrix(&|p| p.template.curvature),
                 curvature_slope: std::array::from_fn(|k| matrix(&|p| p.template.curvature_slope[k])),
             },
@@ -303,10 +402,10 @@ fn lanes_give_what_the_scalar_gives() {
         for (lane, point) in points.iter().enumerate() {
             let mut response = Response::zero();
             assert_eq!(term.add::<f64, HESSIAN>(1.0, point, &mut response), values.lane(lane));
-            for p in 0..D {
+            for p in 0..=D {
                 for a in 0..D {
                     assert_eq!(response.gradient[p][a], wide.gradient[p][a].lane(lane));
-                    for q in p..D {
+                    for q in p..=D {
                         for b in 0..D {
                             assert_eq!(response.hessian[p][q][a][b], wide.hessian[p][q][a][b].lane(lane));
                         }
@@ -316,9 +415,13 @@ fn lanes_give_what_the_scalar_gives() {
         }
     }
     compare::<2>(&Membrane(MATERIAL));
+    compare::<2>(&ProjectedMembrane(MATERIAL));
+    compare::<2>(&Tangency);
     compare::<2>(&Bending);
     compare::<2>(&Volume(MATERIAL));
     compare::<3>(&Membrane(MATERIAL));
+    compare::<3>(&ProjectedMembrane(MATERIAL));
+    compare::<3>(&Tangency);
     compare::<3>(&Bending);
     compare::<3>(&Volume(MATERIAL));
 }

@@ -5,7 +5,7 @@ use crate::energy::{Functional, GRADIENT, ReferenceJet, TemplateJet};
 use crate::field::{CornerWeights, quadratic_fit};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::Rule;
-use crate::small::{Scalar, Vector, dot, frame, frobenius};
+use crate::small::{Scalar, Vector, dot, frame, frobenius, normal_to};
 
 /// The cells that the band η(d1/σ) > 0 meets, in packs of one cell a lane, with the reference's jets at their
 /// quadrature points.
@@ -20,15 +20,15 @@ pub(super) struct Band<S, const D: usize> {
 pub(super) struct ReferenceSample<S, const D: usize> {
     /// η times the quadrature weight.
     pub weight: S,
-    /// Tangents by rows; the first D−1 count.
-    pub tangents: [Vector<S, D>; D],
+    /// Tangents and, last, the normal, by rows.
+    pub frame: [Vector<S, D>; D],
     pub jet: ReferenceJet<S, D>,
 }
 
 impl<S: Scalar, const D: usize> Band<S, D> {
     const POINTS: usize = 3_usize.pow(D as u32);
-    /// weight, distance, off-tangential, trace; D−1 tangents; the upper triangle of the curvature.
-    const STRIDE: usize = 4 + (D - 1) * D + (D - 1) * D / 2;
+    /// weight, distance, off-tangential, trace, steepness; D−1 tangents; the upper triangle of the curvature.
+    const STRIDE: usize = 5 + (D - 1) * D + (D - 1) * D / 2;
 
     pub fn new(functional: &Functional, reference: &SignedDistance<D>, rule: &Rule<D, 3>) -> Self {
         let grid = reference.grid();
@@ -91,11 +91,6 @@ impl<S: Scalar, const D: usize> Band<S, D> {
         Self { packs, samples }
     }
 
-    /// ∫ η(d1/σ) dx.
-    pub fn measure(&self) -> f64 {
-        self.samples.chunks_exact(Self::STRIDE).map(|sample| sample[0].sum()).sum()
-    }
-
     #[inline(always)]
     pub fn pack_samples(&self, pack: usize) -> &[S] {
         &self.samples[pack * Self::POINTS * Self::STRIDE..][..Self::POINTS * Self::STRIDE]
@@ -127,7 +122,7 @@ fn push_sample<const D: usize>(
         }
     }
     let trace = (0..D).map(|k| curvature[k][k]).sum();
-    row.extend([weight, distance, frobenius(curvature) - tangential, trace]);
+    row.extend([weight, distance, frobenius(curvature) - tangential, trace, length]);
     for tangent in tangents.iter().take(D - 1) {
         row.extend_from_slice(tangent);
     }
@@ -143,10 +138,10 @@ impl<S: Scalar, const D: usize> ReferenceSample<S, D> {
     pub fn read(samples: &[S], point: usize) -> Self {
         let row = &samples[point * Band::<S, D>::STRIDE..][..Band::<S, D>::STRIDE];
         let zero = S::zero();
-        let mut tangents = [[zero; D]; D];
+        let mut frame = [[zero; D]; D];
         let mut curvature = [[zero; D]; D];
-        let mut k = 4;
-        for tangent in tangents.iter_mut().take(D - 1) {
+        let mut k = 5;
+        for tangent in frame.iter_mut().take(D - 1) {
             for t in tangent.iter_mut() {
                 *t = row[k];
                 k += 1;
@@ -159,8 +154,10 @@ impl<S: Scalar, const D: usize> ReferenceSample<S, D> {
                 k += 1;
             }
         }
-        let jet = ReferenceJet { distance: row[1], curvature, off_tangential: row[2], trace: row[3] };
-        Self { weight: row[0], tangents, jet }
+        frame[D - 1] = normal_to(&frame);
+        let jet =
+            ReferenceJet { distance: row[1], curvature, off_tangential: row[2], trace: row[3], steepness: row[4] };
+        Self { weight: row[0], frame, jet }
     }
 }
 
@@ -173,13 +170,14 @@ pub(super) struct TemplateField<const D: usize> {
 }
 
 impl<const D: usize> TemplateField<D> {
-    const STRIDE: usize = 1 + D * (D + 1) / 2;
+    const STRIDE: usize = 1 + D + D * (D + 1) / 2;
 
     pub fn new(template: &SignedDistance<D>, fit_radius: f64) -> Self {
         let grid = template.grid();
         let mut values = Vec::with_capacity(grid.node_count() * Self::STRIDE);
         for jet in quadratic_fit(grid, template.values(), fit_radius) {
             values.push(jet.value);
+            values.extend_from_slice(&jet.gradient);
             for a in 0..D {
                 values.extend_from_slice(&jet.curvature[a][a..]);
             }
@@ -223,6 +221,8 @@ impl<const D: usize> TemplateField<D> {
         let mut jet = TemplateJet {
             distance: zero,
             gradient: [zero; D],
+            normal: [zero; D],
+            normal_slope: [[zero; D]; D],
             curvature: [[zero; D]; D],
             curvature_slope: [[[zero; D]; D]; D],
         };
@@ -238,7 +238,16 @@ impl<const D: usize> TemplateField<D> {
                     jet.gradient[axis] += weights.derivative[corner][axis] * distance;
                 }
             }
-            let mut k = 1;
+            for a in 0..D {
+                let entry = S::gather(|lane| rows[lane][1 + a]);
+                jet.normal[a] += clamped.value[corner] * entry;
+                if ORDER >= GRADIENT {
+                    for axis in 0..D {
+                        jet.normal_slope[axis][a] += clamped.derivative[corner][axis] * entry;
+                    }
+                }
+            }
+            let mut k = 1 + D;
             for a in 0..D {
                 for b in a..D {
                     let entry = S::gather(|lane| rows[lane][k]);
@@ -262,6 +271,7 @@ impl<const D: usize> TemplateField<D> {
                 jet.gradient[axis] = jet.gradient[axis] * cells;
                 let scale = cells * inside[axis];
                 for a in 0..D {
+                    jet.normal_slope[axis][a] = jet.normal_slope[axis][a] * scale;
                     for b in a..D {
                         jet.curvature_slope[axis][a][b] = jet.curvature_slope[axis][a][b] * scale;
                         jet.curvature_slope[axis][b][a] = jet.curvature_slope[axis][a][b];

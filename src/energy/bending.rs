@@ -1,4 +1,4 @@
-use super::{GRADIENT, HESSIAN, Point, Response, Term};
+use super::{GRADIENT, HESSIAN, Point, Response, Term, position_slot};
 use crate::small::{Scalar, apply, dot};
 
 /// Penalises the change of the shape operator under the deformation.
@@ -15,15 +15,15 @@ pub struct Bending;
 impl<const D: usize> Term<D> for Bending {
     #[inline(always)]
     fn add<S: Scalar, const ORDER: u8>(&self, weight: S, point: &Point<S, D>, response: &mut Response<S, D>) -> S {
-        let (v, y) = (&point.slots, D - 1);
+        let (v, tangents, y) = (&point.slots, D - 1, position_slot::<D>());
         let template = &point.template;
         let mut bent = [[S::zero(); D]; D];
-        for j in 0..y {
+        for j in 0..tangents {
             bent[j] = apply(&template.curvature, &v[j]);
         }
         let mut value = point.reference.off_tangential;
-        for i in 0..y {
-            for j in i..y {
+        for i in 0..tangents {
+            for j in i..tangents {
                 let residual = dot(&v[i], &bent[j]) - point.reference.curvature[i][j];
                 // r_ij and r_ji are one number and count twice.
                 let count = S::splat(if i == j { 1.0 } else { 2.0 });
@@ -31,23 +31,24 @@ impl<const D: usize> Term<D> for Bending {
                 if ORDER < GRADIENT {
                     continue;
                 }
-                let mut direction = [[S::zero(); D]; D];
-                for a in 0..D {
-                    direction[i][a] += bent[j][a];
-                    direction[j][a] += bent[i][a];
-                }
+                let mut moved = [S::zero(); D];
                 for (k, slope) in template.curvature_slope.iter().enumerate() {
-                    direction[y][k] = dot(&v[i], &apply(slope, &v[j]));
+                    moved[k] = dot(&v[i], &apply(slope, &v[j]));
                 }
                 let twice = (weight + weight) * count;
                 let slope = twice * residual;
-                for p in 0..D {
-                    for a in 0..D {
-                        response.gradient[p][a] += slope * direction[p][a];
+                if i == j {
+                    let direction = [(i, bent[i].map(|x| x + x)), (y, moved)];
+                    response.add_gradient(slope, &direction);
+                    if ORDER >= HESSIAN {
+                        response.add_outer(twice, &direction);
                     }
-                }
-                if ORDER >= HESSIAN {
-                    response.add_outer(twice, &direction);
+                } else {
+                    let direction = [(i, bent[j]), (j, bent[i]), (y, moved)];
+                    response.add_gradient(slope, &direction);
+                    if ORDER >= HESSIAN {
+                        response.add_outer(twice, &direction);
+                    }
                 }
             }
         }
@@ -64,7 +65,6 @@ pub struct MeanCurvature;
 impl<const D: usize> Term<D> for MeanCurvature {
     #[inline(always)]
     fn add<S: Scalar, const ORDER: u8>(&self, weight: S, point: &Point<S, D>, response: &mut Response<S, D>) -> S {
-        let y = D - 1;
         let trace = |m: &[[S; D]; D]| {
             let mut sum = m[0][0];
             for k in 1..D {
@@ -74,21 +74,12 @@ impl<const D: usize> Term<D> for MeanCurvature {
         };
         let residual = trace(&point.template.curvature) - point.reference.trace;
         if ORDER >= GRADIENT {
-            let mut direction = [[S::zero(); D]; D];
-            for (k, slope) in point.template.curvature_slope.iter().enumerate() {
-                direction[y][k] = trace(slope);
-            }
+            let direction =
+                [(position_slot::<D>(), std::array::from_fn(|k| trace(&point.template.curvature_slope[k])))];
             let twice = weight + weight;
-            let slope = twice * residual;
-            for k in 0..D {
-                response.gradient[y][k] += slope * direction[y][k];
-            }
+            response.add_gradient(twice * residual, &direction);
             if ORDER >= HESSIAN {
-                for a in 0..D {
-                    for b in 0..D {
-                        response.hessian[y][y][a][b] += twice * direction[y][a] * direction[y][b];
-                    }
-                }
+                response.add_outer(twice, &direction);
             }
         }
         residual * residual

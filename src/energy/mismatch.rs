@@ -1,4 +1,4 @@
-use super::{GRADIENT, HESSIAN, Point, Response, Term};
+use super::{GRADIENT, HESSIAN, Point, Response, Term, position_slot};
 use crate::small::Scalar;
 
 /// Penalises the distance between the moved reference and the template.
@@ -11,20 +11,13 @@ impl<const D: usize> Term<D> for Mismatch {
     #[inline(always)]
     fn add<S: Scalar, const ORDER: u8>(&self, weight: S, point: &Point<S, D>, response: &mut Response<S, D>) -> S {
         let residual = point.template.distance - point.reference.distance;
-        let y = D - 1;
+        let direction = [(position_slot::<D>(), point.template.gradient)];
+        let twice = weight + weight;
         if ORDER >= GRADIENT {
-            let slope = (weight + weight) * residual;
-            for a in 0..D {
-                response.gradient[y][a] += slope * point.template.gradient[a];
-            }
+            response.add_gradient(twice * residual, &direction);
         }
         if ORDER >= HESSIAN {
-            let twice = weight + weight;
-            for a in 0..D {
-                for b in 0..D {
-                    response.hessian[y][y][a][b] += twice * point.template.gradient[a] * point.template.gradient[b];
-                }
-            }
+            response.add_outer(twice, &direction);
         }
         residual * residual
     }

@@ -12,32 +12,26 @@
 //! whose quotients are polynomial in J, so that equal singular values do no harm.
 //! Source: Smith, de Goes, Kim, "Analytic Eigensystems for Isotropic Distortion Energies", ACM TOG 38(1), 2019.
 
-use super::{Material, Response};
-use crate::small::{Scalar, Vector, dot};
+use super::Material;
+use crate::small::{Matrix, Scalar, Vector, dot};
 
 type Slots<const D: usize> = [Vector<f64, D>; D];
 type Blocks<const D: usize> = [[[[f64; D]; D]; D]; D];
 
-/// Evaluates a scalar hessian lane by lane and adds it to the response.
+/// Evaluates a scalar hessian lane by lane.
 pub(super) fn by_lane<S: Scalar, const D: usize>(
-    weight: S,
     slots: &[Vector<S, D>; D],
-    response: &mut Response<S, D>,
     hessian: impl Fn(&Slots<D>) -> Blocks<D>,
-) {
+) -> [[Matrix<S, D>; D]; D] {
     let mut lanes = [[[[[0.0; D]; D]; D]; D]; 4];
     for (lane, blocks) in lanes.iter_mut().enumerate().take(S::LANES) {
         *blocks = hessian(&slots.map(|v| v.map(|x| x.lane(lane))));
     }
-    for p in 0..D {
-        for q in p..D {
-            for a in 0..D {
-                for b in 0..D {
-                    response.hessian[p][q][a][b] += weight * S::gather(|lane| lanes[lane][p][q][a][b]);
-                }
-            }
-        }
-    }
+    std::array::from_fn(|p| {
+        std::array::from_fn(|q| {
+            std::array::from_fn(|a| std::array::from_fn(|b| S::gather(|lane| lanes[lane][p][q][a][b])))
+        })
+    })
 }
 
 /// k′ and k″ of k(J) = g(J²).

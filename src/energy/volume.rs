@@ -1,5 +1,5 @@
 use super::spectral::{by_lane, volume_hessian};
-use super::{GRADIENT, HESSIAN, Material, Point, Response, Term};
+use super::{GRADIENT, HESSIAN, MAX_SLOTS, Material, Point, Response, Term};
 use crate::small::{Matrix, Scalar, cofactor, determinant, frobenius};
 
 /// Penalises the deformation of the surrounding space; infinite where it would fold.
@@ -16,7 +16,8 @@ pub struct Volume(pub Material);
 impl<const D: usize> Term<D> for Volume {
     #[inline(always)]
     fn add<S: Scalar, const ORDER: u8>(&self, weight: S, point: &Point<S, D>, response: &mut Response<S, D>) -> S {
-        let (material, f) = (&self.0, &point.slots);
+        let material = &self.0;
+        let f: &Matrix<S, D> = &std::array::from_fn(|k| point.slots[k]);
         let mu = S::splat(material.mu);
         let det = determinant(f);
         let (g, slope, bend) = material.dilation(det * det);
@@ -34,7 +35,16 @@ impl<const D: usize> Term<D> for Volume {
                 let bulk = slope + slope + S::splat(4.0) * det * det * bend;
                 planar_hessian(weight, f, mu, twist, bulk, &mut response.hessian);
             } else {
-                by_lane(weight, f, response, |f| volume_hessian(material, f));
+                let blocks = by_lane(f, |f| volume_hessian(material, f));
+                for p in 0..D {
+                    for q in p..D {
+                        for a in 0..D {
+                            for b in 0..D {
+                                response.hessian[p][q][a][b] += weight * blocks[p][q][a][b];
+                            }
+                        }
+                    }
+                }
             }
         }
         S::splat(0.5) * mu * frobenius(f) + g
@@ -49,7 +59,7 @@ fn planar_hessian<S: Scalar, const D: usize>(
     mu: S,
     first: S,
     second: S,
-    hessian: &mut [[Matrix<S, D>; D]; D],
+    hessian: &mut [[Matrix<S, D>; MAX_SLOTS]; MAX_SLOTS],
 ) {
     let (zero, half, tiny) = (S::zero(), S::splat(0.5), S::splat(1e-30));
     let root = S::splat(std::f64::consts::FRAC_1_SQRT_2);

@@ -5,7 +5,7 @@ use super::element::{
     MAX_COLUMNS, MAX_EDGES, Pairs, columns_of, edge_differences, edge_forces_to_corners, slots_at, stress_to_edges,
 };
 use crate::assemble::band::ReferenceSample;
-use crate::energy::{Energies, GRADIENT, HESSIAN, Point, Response};
+use crate::energy::{Energies, GRADIENT, HESSIAN, MAX_SLOTS, Point, Response, normal_slot, position_slot};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::{Rule, edge_ends};
 use crate::small::{Scalar, Vector, add_scaled};
@@ -45,11 +45,11 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                         moved[k] += shape * at;
                     }
                 }
-                let mut slots = [[S::zero(); D]; D];
-                slots[D - 1] = moved;
-                for i in 0..D - 1 {
+                let mut slots = [[S::zero(); D]; MAX_SLOTS];
+                slots[position_slot::<D>()] = moved;
+                for i in 0..D {
                     for (k, column) in derivative.iter().enumerate() {
-                        slots[i] = add_scaled(&slots[i], sample.tangents[i][k], column);
+                        slots[i] = add_scaled(&slots[i], sample.frame[i][k], column);
                     }
                 }
                 let template = self.template.sample::<S, ORDER>(&moved);
@@ -65,17 +65,18 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 if ORDER >= GRADIENT {
                     for (k, stress) in stress.iter_mut().enumerate() {
                         let column = &mut stress[rule.column[point][k]];
-                        for i in 0..D - 1 {
-                            *column = add_scaled(column, sample.tangents[i][k], &response.gradient[i]);
+                        for i in 0..D {
+                            *column = add_scaled(column, sample.frame[i][k], &response.gradient[i]);
                         }
                     }
                     for corner in 0..Grid::<D>::CORNERS {
                         let shape = S::splat(rule.shape[point][corner]);
-                        corner_forces[corner] = add_scaled(&corner_forces[corner], shape, &response.gradient[D - 1]);
+                        let force = &response.gradient[position_slot::<D>()];
+                        corner_forces[corner] = add_scaled(&corner_forces[corner], shape, force);
                     }
                 }
                 if ORDER >= HESSIAN {
-                    self.add_shell_pairs(&mut pairs, point, &sample.tangents, &response, inverse);
+                    self.add_shell_pairs(&mut pairs, point, &sample.frame, &response, inverse);
                 }
             }
             if ORDER >= GRADIENT {
@@ -95,37 +96,41 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         energies.mismatch = sums[2].sum();
     }
 
-    /// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i and s_ay = N_a.
+    /// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i, s_an = ∇N_a·n and s_ay = N_a.
     #[inline(always)]
     fn add_shell_pairs<const C: usize>(
         &self,
         pairs: &mut Pairs<S, D, C>,
         point: usize,
-        tangents: &[Vector<S, D>; D],
+        frame: &[Vector<S, D>; D],
         response: &Response<S, D>,
         inverse: S,
     ) {
         let rule = &self.gauss3;
-        let mut values = [[S::zero(); D]; C];
+        let normal = normal_slot::<D>();
+        // No term couples the tangents with the normal, and without H¹ residual none sees the normal.
+        let coupled = |p: usize, q: usize| (p == normal) == (q == normal) || p > normal || q > normal;
+        let seen = |p: usize| p != normal || self.functional.tangency > 0.0;
+        let mut values = [[S::zero(); MAX_SLOTS]; C];
         for axis in 0..D {
             for edge in 0..Rule::<D, 3>::EDGES {
                 let slope = inverse * S::splat(rule.edge[rule.column[point][axis]][edge]);
                 let (low, high) = edge_ends(axis, edge);
-                for i in 0..D - 1 {
-                    let along = slope * tangents[i][axis];
+                for i in 0..D {
+                    let along = slope * frame[i][axis];
                     values[high][i] += along;
                     values[low][i] -= along;
                 }
             }
         }
         for corner in 0..Grid::<D>::CORNERS {
-            values[corner][D - 1] = S::splat(rule.shape[point][corner]);
+            values[corner][position_slot::<D>()] = S::splat(rule.shape[point][corner]);
         }
         for b in 0..Grid::<D>::CORNERS {
             // moved[p] = Σ_q s_bq H_pq
-            let mut moved = [[[S::zero(); D]; D]; D];
-            for p in 0..D {
-                for q in 0..D {
+            let mut moved = [[[S::zero(); D]; D]; MAX_SLOTS];
+            for p in (0..=D).filter(|&p| seen(p)) {
+                for q in (0..=D).filter(|&q| seen(q) && coupled(p, q)) {
                     for i in 0..D {
                         for j in 0..D {
                             let entry =
@@ -136,7 +141,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 }
             }
             for a in 0..=b {
-                for p in 0..D {
+                for p in (0..=D).filter(|&p| seen(p)) {
                     for i in 0..D {
                         for j in 0..D {
                             pairs[a][b][i][j] += values[a][p] * moved[p][i][j];

@@ -1,6 +1,7 @@
 //! The reference assembler: f64, one thread, two cells at a time in the lanes of a register.
 
 mod bilinear;
+mod corners;
 mod element;
 mod planar;
 mod shell;
@@ -66,15 +67,15 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         }
     }
 
+    /// Aims at another template.
+    pub fn set_template(&mut self, template: &SignedDistance<D>) {
+        assert_eq!(self.grid, template.grid(), "both shapes live on the level's grid");
+        self.template = TemplateField::new(template, self.functional.fit_radius);
+    }
+
     /// Cells that carry shell energies.
     pub fn band_cells(&self) -> usize {
         self.band.packs.len() * S::LANES
-    }
-
-    /// The root mean square of d2∘φ − d1 over the band, in cells, that a mismatch energy stands for.
-    pub fn mismatch_in_cells(&self, energies: &Energies) -> f64 {
-        let square = energies.mismatch / (self.functional.penalty * self.band.measure());
-        square.sqrt() * self.grid.cells() as f64
     }
 
     /// With C = 2^D, which the type system cannot compute, as the size of local arrays.

@@ -14,7 +14,7 @@ pub(super) struct Cell<S, const D: usize> {
 
 /// u × v.
 #[inline(always)]
-pub(super) fn cross<S: Scalar, const D: usize>(u: &Vector<S, D>, v: &Vector<S, D>) -> S {
+fn cross<S: Scalar, const D: usize>(u: &Vector<S, D>, v: &Vector<S, D>) -> S {
     u[0] * v[1] - u[1] * v[0]
 }
 
@@ -57,6 +57,19 @@ impl<S: Scalar, const D: usize> Cell<S, D> {
             std::array::from_fn(|k| (corners[high][k] - corners[low][k]) * inverse)
         };
         Self::of_edges(&edge(0, 1), &edge(2, 3), &edge(0, 2), &edge(1, 3))
+    }
+
+    /// det Dφ = `[0]` + s `[1]` + t `[2]`.
+    #[inline(always)]
+    pub(super) fn determinant(&self) -> [S; 3] {
+        [cross(&self.a, &self.b), cross(&self.a, &self.c), cross(&self.c, &self.b)]
+    }
+
+    /// An affine function is least at a corner.
+    #[inline(always)]
+    pub(super) fn least_determinant(&self) -> S {
+        let [middle, by_s, by_t] = self.determinant();
+        middle - S::splat(0.5) * (by_s.abs() + by_t.abs())
     }
 
     /// Forces on the corners from those on a, b and c.

@@ -10,7 +10,7 @@
 //! surfaces.
 
 use super::CpuAssembler;
-use super::bilinear::{Cell, Line, combined, cross, to_corners, transposed, turned};
+use super::bilinear::{Cell, Line, combined, to_corners, transposed, turned};
 use super::element::Pairs;
 use crate::energy::{Energies, GRADIENT, HESSIAN, Point, Response, Term, Volume};
 use crate::small::{Scalar, Vector, add_scaled, dot};
@@ -29,7 +29,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         let rest = S::splat(1.0 - self.functional.vertex_share);
         let (gauss, vertices) = (Line::of(&self.gauss3), Line::of(&self.vertices));
         let inverse = S::splat(self.grid.cells() as f64);
-        let (half, zero) = (S::splat(0.5), S::zero());
+        let zero = S::zero();
         let mut energy = zero;
         let mut least = S::splat(f64::INFINITY);
         for (row, weights) in self.volume_weight.chunks_exact(self.grid.cells()).enumerate() {
@@ -39,9 +39,8 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 let nodes: [usize; 2] = std::array::from_fn(|lane| base + lane.min(S::LANES - 1));
                 let weight = S::gather(|lane| weights[lane]);
                 let cell = Cell::of_corners(&self.gather(displacement, nodes), inverse);
-                let affine = [cross(&cell.a, &cell.b), cross(&cell.a, &cell.c), cross(&cell.c, &cell.b)];
-                // An affine function is least at a corner.
-                least = least.min(affine[0] - half * (affine[1].abs() + affine[2].abs()));
+                let affine = cell.determinant();
+                least = least.min(cell.least_determinant());
 
                 let mut forces = Cell { a: [zero; D], b: [zero; D], c: [zero; D] };
                 let weights = weight * rest;
@@ -84,6 +83,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 let mut pairs = [[[[T::zero(); D]; D]; C]; C];
                 add_cell_pairs(&volume, scaled, &line, &cell, &mut pairs);
                 self.scatter_pairs(&pairs, |lane| base + lane, operator);
+                self.stiffen_corners::<T, C>(cell.least_determinant(), base, weights, displacement, operator);
             }
         }
     }
@@ -165,7 +165,7 @@ fn add_cell_pairs<T: Scalar, const D: usize, const C: usize>(
         slots[0] = add_scaled(&cell.a, t, &cell.c);
         slots[1] = add_scaled(&cell.b, s, &cell.c);
         let mut response = Response::zero();
-        volume.add::<T, HESSIAN>(weight, &Point::of_slots(slots), &mut response);
+        volume.add::<T, HESSIAN>(weight, &Point::of_derivative(slots), &mut response);
         response.hessian
     };
     let points = [at(-o, -o), at(o, -o), at(-o, o), at(o, o)];

@@ -78,9 +78,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             // The hessian has a rule of its own, see `volume_hessian_pass`.
             energy += weight
                 * if ORDER == VALUE {
-                    volume.add::<S, VALUE>(weight, &Point::of_slots(slots), &mut response)
+                    volume.add::<S, VALUE>(weight, &Point::of_derivative(slots), &mut response)
                 } else {
-                    volume.add::<S, GRADIENT>(weight, &Point::of_slots(slots), &mut response)
+                    volume.add::<S, GRADIENT>(weight, &Point::of_derivative(slots), &mut response)
                 };
             if ORDER >= GRADIENT {
                 for k in 0..D {
@@ -127,8 +127,8 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 let mut response = Response::zero();
                 let slots = slots_at(rule, &columns, point);
                 let weight = scaled * T::splat(rule.weight[point]);
-                volume.add::<T, HESSIAN>(weight, &Point::of_slots(slots), &mut response);
-                *hessian = response.hessian;
+                volume.add::<T, HESSIAN>(weight, &Point::of_derivative(slots), &mut response);
+                *hessian = std::array::from_fn(|p| std::array::from_fn(|q| response.hessian[p][q]));
             }
             let mut pairs = [[[[T::zero(); D]; D]; C]; C];
             // A derivative of φ is an average over edges, so edge pairs are integrated and then handed to their ends.
@@ -152,6 +152,12 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 }
             }
             self.scatter_pairs(&pairs, |lane| base + lane, operator);
+            let corners = columns_of(&self.vertices, &edges);
+            let mut least = T::splat(f64::INFINITY);
+            for point in 0..Rule::<D, 2>::POINTS {
+                least = least.min(determinant(&slots_at(&self.vertices, &corners, point)));
+            }
+            self.stiffen_corners::<T, C>(least, base, weights, displacement, operator);
         }
     }
 }

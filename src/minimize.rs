@@ -16,27 +16,33 @@ use std::fmt;
 pub enum Stop {
     /// The energy no longer falls by more than the relative tolerance.
     Converged,
+    /// The energy still falls, but hardly: the shell crumples or slides, which nothing is gained by following.
+    Creeping,
     /// No step along a descent direction lowers the energy: rounding, or a fold in the way.
     NoDescent,
     /// The limit of iterations a level is reached.
     IterationLimit,
-    /// The inverse of a match found with exchanged roles has had its few iterations.
+    /// The few iterations that were to refine a match are done.
     Refined,
+    /// The best of several matches was taken.
+    BestOf,
 }
 
 impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Stop::Converged => "Converged: the energy falls by less than the tolerance.",
+            Stop::Creeping => "Stopped: twenty iterations lower the energy by less than a hundredth.",
             Stop::NoDescent => "Stopped: no step along the descent direction lowers the energy any further.",
-            Stop::Refined => "Done: matched from the shorter template to the reference, inverted and refined.",
+            Stop::Refined => "Done: a match found another way was refined by a few iterations.",
+            Stop::BestOf => "Done: of several ways to match, the best.",
             Stop::IterationLimit => "Stopped: the limit of iterations on one level is reached.",
         })
     }
 }
 
 /// The state after an iteration.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Progress {
     pub evaluation: Evaluation,
     /// Iterations done so far.

@@ -9,6 +9,9 @@ use crate::multigrid::Multigrid;
 /// Iterations over which the relative decrease is judged.
 const WINDOW: usize = 3;
 const MAX_ITERATIONS: usize = 200;
+/// Iterations in which the energy must fall by this share: what goes slower than that is no longer Newton's method.
+const CREEP_WINDOW: usize = 20;
+const CREEP: f64 = 0.01;
 /// The linear system is solved to this relative residual: a more exact direction of an inexact model does not pay.
 const FORCING: f64 = 0.1;
 const MAX_LINEAR_ITERATIONS: usize = 40;
@@ -38,6 +41,7 @@ pub struct Newton<const D: usize> {
     /// The hessian of an iteration before still serves.
     settled: bool,
     decrease: Decrease,
+    creep: Decrease,
     progress: Option<Progress>,
 }
 
@@ -54,6 +58,7 @@ impl<const D: usize> Newton<D> {
             shift: 0.0,
             settled: false,
             decrease: Decrease::new(WINDOW, tolerance),
+            creep: Decrease::new(CREEP_WINDOW, CREEP),
             progress: None,
         }
     }
@@ -65,6 +70,7 @@ impl<const D: usize> Newton<D> {
         self.shift = 0.0;
         self.settled = false;
         self.decrease.restart();
+        self.creep.restart();
         self.progress = None;
     }
 
@@ -156,8 +162,11 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
                 if whole {
                     self.shift = if self.shift > FIRST_SHIFT { 0.1 * self.shift } else { 0.0 };
                 }
+                let creeping = self.creep.is_small(total);
                 if self.decrease.is_small(total) {
                     progress.stop = Some(Stop::Converged);
+                } else if creeping {
+                    progress.stop = Some(Stop::Creeping);
                 }
             }
         }

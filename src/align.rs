@@ -2,32 +2,96 @@
 
 use crate::distance::SignedDistance;
 use crate::grid::Grid;
+use crate::small::{Matrix, apply, identity};
 
-/// Angles tried by [`similarities`].
+/// Rotations tried in the plane, besides none: every 10°.
 const ANGLES: usize = 36;
+/// Rotations tried in space, besides none.
+const ROTATIONS: usize = 120;
 
-/// Displacements of the similarities x ↦ c₂ + s R (x − c₁) that take the reference's centroid and measure to the
-/// template's, turned by multiples of 10° in the first two axes.
-pub fn similarities<const D: usize>(
-    grid: Grid<D>,
-    reference: &SignedDistance<D>,
-    template: &SignedDistance<D>,
-) -> impl Iterator<Item = Vec<f64>> {
-    let (from, to) = (Body::of(reference), Body::of(template));
-    let scale = (to.measure / from.measure).powf(1.0 / D as f64);
-    (0..ANGLES).map(move |k| {
-        let (sin, cos) = (std::f64::consts::TAU * k as f64 / ANGLES as f64).sin_cos();
+/// A similarity x ↦ c₂ + s R (x − c₁) that takes the reference's centroid and measure to the template's.
+pub struct Similarity<const D: usize> {
+    from: [f64; D],
+    to: [f64; D],
+    scale: f64,
+    rotation: Matrix<f64, D>,
+}
+
+impl<const D: usize> Similarity<D> {
+    /// The angle of the rotation, 0 to π.
+    pub fn turn(&self) -> f64 {
+        angle(&self.rotation)
+    }
+
+    /// Its displacement at the nodes.
+    pub fn displacement(&self, grid: Grid<D>) -> Vec<f64> {
         let mut displacement = Vec::with_capacity(grid.node_count() * D);
         for node in 0..grid.node_count() {
             let x = grid.position(node);
-            let offset: [f64; D] = std::array::from_fn(|axis| x[axis] - from.centroid[axis]);
-            let mut turned = offset;
-            turned[0] = cos * offset[0] - sin * offset[1];
-            turned[1] = sin * offset[0] + cos * offset[1];
-            displacement.extend((0..D).map(|axis| to.centroid[axis] + scale * turned[axis] - x[axis]));
+            let turned = apply(&self.rotation, &std::array::from_fn(|axis| x[axis] - self.from[axis]));
+            displacement.extend((0..D).map(|axis| self.to[axis] + self.scale * turned[axis] - x[axis]));
         }
         displacement
-    })
+    }
+}
+
+/// The similarities with rotations spread evenly, the first without.
+pub fn similarities<const D: usize>(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Vec<Similarity<D>> {
+    let (from, to) = (Body::of(reference), Body::of(template));
+    let scale = (to.measure / from.measure).powf(1.0 / D as f64);
+    let of = |rotation| Similarity { from: from.centroid, to: to.centroid, scale, rotation };
+    rotations().into_iter().map(of).collect()
+}
+
+/// The similarities whose rotations are next to that of number k.
+pub fn neighbours<const D: usize>(all: &[Similarity<D>], k: usize) -> impl Iterator<Item = usize> {
+    // A little more than the distance to the nearest ones.
+    let reach = if D == 2 { 15_f64 } else { 50.0 }.to_radians();
+    (0..all.len()).filter(move |&other| other != k && angle_between(&all[k].rotation, &all[other].rotation) < reach)
+}
+
+/// The angle of a rotation: tr R = D − 2 + 2 cos.
+fn angle<const D: usize>(rotation: &Matrix<f64, D>) -> f64 {
+    angle_between(rotation, &identity())
+}
+
+/// tr(Aᵀ B) is the sum of the products of the entries.
+fn angle_between<const D: usize>(a: &Matrix<f64, D>, b: &Matrix<f64, D>) -> f64 {
+    let trace: f64 = a.as_flattened().iter().zip(b.as_flattened()).map(|(x, y)| x * y).sum();
+    (0.5 * (trace - (D as f64 - 2.0))).clamp(-1.0, 1.0).acos()
+}
+
+/// The identity, then rotations spread evenly: equal angles in the plane; in space points of a spiral on the sphere of unit
+/// quaternions.
+///
+/// Source: M. Alexa, "Super-Fibonacci Spirals: Fast, Low-Discrepancy Sampling of SO(3)", CVPR 2022.
+fn rotations<const D: usize>() -> Vec<Matrix<f64, D>> {
+    use std::f64::consts::{SQRT_2, TAU};
+    /// The real root of ψ⁴ = ψ + 4.
+    const PSI: f64 = 1.533_751_168_755_204_3;
+    let mut rotations = vec![identity()];
+    if D == 2 {
+        rotations.extend((1..ANGLES).map(|k| {
+            let (sin, cos) = (TAU * k as f64 / ANGLES as f64).sin_cos();
+            let entries = [cos, -sin, sin, cos];
+            std::array::from_fn(|i| std::array::from_fn(|j| entries[2 * i + j]))
+        }));
+        return rotations;
+    }
+    rotations.extend((0..ROTATIONS).map(|k| {
+        let place = k as f64 + 0.5;
+        let height = place / ROTATIONS as f64;
+        let (a, b) = (height.sqrt(), (1.0 - height).sqrt());
+        let (alpha, beta) = (TAU * place / SQRT_2, TAU * place / PSI);
+        of_quaternion([a * alpha.sin(), a * alpha.cos(), b * beta.sin(), b * beta.cos()])
+    }));
+    rotations
+}
+
+/// Of the unit quaternion x i + y j + z k + w.
+fn of_quaternion<const D: usize>([x, y, z, w]: [f64; 4]) -> Matrix<f64, D> {
+    let m = glam::DMat3::from_quat(glam::DQuat::from_xyzw(x, y, z, w));
+    std::array::from_fn(|i| std::array::from_fn(|j| m.col(j)[i]))
 }
 
 /// Length (area for D = 3) of the boundary of what a distance function encloses.
@@ -82,7 +146,7 @@ mod tests {
     fn a_ball_is_moved_onto_another_by_the_first_similarity() {
         let grid = Grid::<2>::new(64);
         let (from, to) = (ball(grid, [0.4, 0.45], 0.2), ball(grid, [0.55, 0.5], 0.3));
-        let displacement = similarities(grid, &from, &to).next().unwrap();
+        let displacement = similarities(&from, &to)[0].displacement(grid);
         for node in 0..grid.node_count() {
             let x = grid.position(node);
             for (axis, (from, to)) in [(0.4, 0.55), (0.45, 0.5)].into_iter().enumerate() {
@@ -90,5 +154,34 @@ mod tests {
                 assert!((x[axis] + displacement[node * 2 + axis] - expected).abs() < 2e-3);
             }
         }
+    }
+
+    /// No rotation is farther than this from one that is tried.
+    fn rotations_are_dense<const D: usize>(farthest_degrees: f64) {
+        let all = rotations::<D>();
+        for rotation in &all {
+            let square: f64 = rotation.as_flattened().iter().map(|x| x * x).sum();
+            assert!((square - D as f64).abs() < 1e-12 && (crate::small::determinant(rotation) - 1.0).abs() < 1e-12);
+        }
+        for k in 0..500 {
+            // Another sequence of rotations: products of those tried with a turn of their own.
+            let turn: Matrix<f64, D> = {
+                let (sin, cos) = (0.37 * k as f64).sin_cos();
+                let mut m = identity();
+                (m[0][0], m[0][1], m[1][0], m[1][1]) = (cos, -sin, sin, cos);
+                m
+            };
+            let other = &all[(7 * k) % all.len()];
+            let product: Matrix<f64, D> =
+                std::array::from_fn(|i| std::array::from_fn(|j| (0..D).map(|l| turn[i][l] * other[l][j]).sum()));
+            let nearest = all.iter().map(|known| angle_between(known, &product)).fold(f64::INFINITY, f64::min);
+            assert!(nearest.to_degrees() < farthest_degrees, "{} degrees from any", nearest.to_degrees());
+        }
+    }
+
+    #[test]
+    fn every_rotation_is_near_one_that_is_tried() {
+        rotations_are_dense::<2>(5.01);
+        rotations_are_dense::<3>(45.0);
     }
 }

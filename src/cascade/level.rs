@@ -3,10 +3,7 @@ use crate::distance::SignedDistance;
 use crate::grid::Grid;
 use crate::minimize::{Minimizer, Ncg, Newton, Progress, Stop};
 use crate::settings::{MinimizerKind, Settings};
-
-/// Iterations that refine the inverse of an exchanged match. More would start to crumple the shell, which is what the
-/// exchange avoids.
-const REFINEMENT: usize = 10;
+use std::rc::Rc;
 
 /// Relative decrease at which levels before the finest end: the next one changes the functional, so the last digits of
 /// this one's minimum are not worth their iterations.
@@ -15,38 +12,41 @@ const COARSE_TOLERANCE: f64 = 1e-4;
 /// What one level needs.
 pub(super) struct Level<const D: usize> {
     pub number: u32,
-    /// The template is the shell and the reference its aim: the level works on φ⁻¹.
-    pub exchanged: bool,
     pub assembler: CpuAssembler<D>,
+    /// The shell and its aim on this level.
+    shapes: [SignedDistance<D>; 2],
     minimizer: AnyMinimizer<D>,
     limit: usize,
-}
-
-enum AnyMinimizer<const D: usize> {
-    Newton(Newton<D>),
-    Ncg(Ncg<D>),
+    /// Of minimisers on this level before the present one.
+    past: Progress,
 }
 
 impl<const D: usize> Level<D> {
-    /// `shapes` are reference and template; the deformation starts from the identity if none is given.
+    /// `shapes` are the shell and its aim; the deformation starts from the identity if none is given.
     pub fn new(
         number: u32,
         settings: &Settings,
-        shapes: [&SignedDistance<D>; 2],
-        exchanged: bool,
+        shapes: &[Rc<SignedDistance<D>>; 2],
         displacement: Option<Vec<f64>>,
     ) -> Self {
-        let [reference, template] = shapes.map(|shape| shape.to_cells(1 << number));
-        let (shell, aim) = if exchanged { (template, reference) } else { (reference, template) };
-        let assembler = CpuAssembler::new(&settings.functional(number), &shell, &aim);
-        let displacement = displacement.unwrap_or_else(|| vec![0.0; shell.grid().node_count() * D]);
+        let shapes = [0, 1].map(|k| shapes[k].to_cells(1 << number));
+        let assembler = CpuAssembler::new(&settings.functional(number), &shapes[0], &shapes[1]);
+        let displacement = displacement.unwrap_or_else(|| vec![0.0; shapes[0].grid().node_count() * D]);
         let minimizer = AnyMinimizer::new(number, settings, displacement);
-        Self { number, exchanged, assembler, minimizer, limit: usize::MAX }
+        Self { number, assembler, shapes, minimizer, limit: usize::MAX, past: Progress::default() }
     }
 
     /// Begins again from another displacement.
     pub fn restart(&mut self, settings: &Settings, displacement: Vec<f64>) {
         self.minimizer = AnyMinimizer::new(self.number, settings, displacement);
+    }
+
+    /// Goes on from the present displacement with another aim.
+    pub fn aim_at(&mut self, aim: &SignedDistance<D>, settings: &Settings, progress: &Progress) {
+        self.assembler.set_template(aim);
+        self.past = Progress { stop: None, ..*progress };
+        let displacement = self.displacement().to_vec();
+        self.restart(settings, displacement);
     }
 
     /// Starts a little nearer to the identity if the first deformation is not admissible; from the identity at last.
@@ -65,15 +65,14 @@ impl<const D: usize> Level<D> {
         }
     }
 
-    pub fn limit_to_refinement(&mut self) {
-        self.limit = REFINEMENT;
+    pub fn limit(&mut self, iterations: usize) {
+        self.limit = iterations;
     }
 
     pub async fn step(&mut self) -> Progress {
-        let mut progress = match &mut self.minimizer {
-            AnyMinimizer::Newton(minimizer) => minimizer.step(&mut self.assembler).await,
-            AnyMinimizer::Ncg(minimizer) => minimizer.step(&mut self.assembler).await,
-        };
+        let mut progress = self.minimizer.step(&mut self.assembler).await;
+        progress.iterations += self.past.iterations;
+        progress.evaluations += self.past.evaluations;
         if progress.iterations >= self.limit {
             progress.stop = progress.stop.or(Some(Stop::Refined));
         }
@@ -85,27 +84,45 @@ impl<const D: usize> Level<D> {
         self.assembler.energy(self.minimizer.displacement()).await
     }
 
-    /// The displacement the level works on: of φ, or of φ⁻¹ while the roles are exchanged.
     pub fn displacement(&self) -> &[f64] {
         self.minimizer.displacement()
     }
+
+    pub fn shapes(&self) -> [&SignedDistance<D>; 2] {
+        [&self.shapes[0], &self.shapes[1]]
+    }
+}
+
+/// The minimiser that the settings choose.
+pub(super) enum AnyMinimizer<const D: usize> {
+    Newton(Box<Newton<D>>),
+    Ncg(Box<Ncg<D>>),
 }
 
 impl<const D: usize> AnyMinimizer<D> {
-    fn displacement(&self) -> &[f64] {
-        match self {
-            Self::Newton(minimizer) => minimizer.displacement(),
-            Self::Ncg(minimizer) => minimizer.displacement(),
-        }
-    }
-
-    fn new(number: u32, settings: &Settings, displacement: Vec<f64>) -> Self {
+    pub fn new(number: u32, settings: &Settings, displacement: Vec<f64>) -> Self {
         let grid = Grid::of_level(number);
         let finest = number == settings.finest;
         let tolerance = if finest { settings.tolerance } else { settings.tolerance.max(COARSE_TOLERANCE) };
         match settings.minimizer {
-            MinimizerKind::Newton => Self::Newton(Newton::new(grid, displacement, tolerance)),
-            MinimizerKind::Ncg => Self::Ncg(Ncg::new(grid, displacement, settings.sobolev, tolerance)),
+            MinimizerKind::Newton => Self::Newton(Box::new(Newton::new(grid, displacement, tolerance))),
+            MinimizerKind::Ncg => Self::Ncg(Box::new(Ncg::new(grid, displacement, settings.sobolev, tolerance))),
+        }
+    }
+}
+
+impl<const D: usize> Minimizer<D> for AnyMinimizer<D> {
+    async fn step(&mut self, assembler: &mut impl Assembler<D>) -> Progress {
+        match self {
+            Self::Newton(minimizer) => minimizer.step(assembler).await,
+            Self::Ncg(minimizer) => minimizer.step(assembler).await,
+        }
+    }
+
+    fn displacement(&self) -> &[f64] {
+        match self {
+            Self::Newton(minimizer) => minimizer.displacement(),
+            Self::Ncg(minimizer) => minimizer.displacement(),
         }
     }
 }

@@ -1,69 +1,89 @@
 //! The initial deformation: several starts, ranked by the energy a few iterations reach on the coarsest level.
 
-use crate::align::{boundary_measure, similarities};
+use super::level::AnyMinimizer;
+use crate::align::{Similarity, neighbours, similarities};
 use crate::assemble::Assembler;
 use crate::distance::SignedDistance;
-use crate::minimize::{Minimizer, Newton};
-use crate::settings::Settings;
+use crate::minimize::Minimizer;
+use crate::settings::{MinimizerKind, Settings};
+use std::rc::Rc;
 
-/// Similarities that are tried beside the identity.
+/// Turned similarities that are tried beside the one that does not turn and the identity.
 const CANDIDATES: usize = 4;
 /// Iterations in each round of trials and how many starts stay in after it. The first energy does not tell a turned star
 /// from a folded one; the energy after some iterations does, and the hopeless need not be followed to the end.
 const ROUNDS: [(usize, usize); 3] = [(5, 3), (5, 2), (10, 1)];
-/// A shell compressed to less than this share of its size crumples rather than shrinks (the paper's Fig. 5).
-const SHORTER: f64 = 0.9;
+/// A gradient method needs this many iterations for one of Newton's.
+const NCG_ITERATIONS: usize = 10;
+/// By how much more energy a half turn must be beaten: among starts that are nearly as good the least rotation wins, for
+/// a circle is any turned circle.
+const TURN_PENALTY: f64 = 0.1;
 
-/// Is the one shape so much shorter than the other that the roles are better exchanged?
-pub(super) fn is_shorter<const D: usize>(shape: &SignedDistance<D>, other: &SignedDistance<D>) -> bool {
-    boundary_measure(shape) < SHORTER * boundary_measure(other)
+/// A start, and how its energy ranks.
+struct Trial<T> {
+    rank: f64,
+    turn: f64,
+    state: T,
+}
+
+fn rank(energy: f64, turn: f64) -> f64 {
+    energy * (1.0 + TURN_PENALTY * turn / std::f64::consts::PI)
 }
 
 /// The displacement that the best start reaches. `shapes` are the shell and its aim.
 pub(super) async fn find<const D: usize>(
     assembler: &mut impl Assembler<D>,
-    shapes: [&SignedDistance<D>; 2],
+    shapes: &[Rc<SignedDistance<D>>; 2],
     settings: &Settings,
     evaluations: &mut usize,
 ) -> Vec<f64> {
     let grid = assembler.grid();
+    let number = grid.cells().ilog2();
+    let all: Vec<Similarity<D>> = similarities(&shapes[0], &shapes[1]);
     let mut turned = Vec::new();
-    for displacement in similarities(grid, shapes[0], shapes[1]) {
-        turned.push((assembler.energy(&displacement).await.total(), displacement));
+    for similarity in &all {
+        let displacement = similarity.displacement(grid);
+        let energy = assembler.energy(&displacement).await.total();
+        turned.push(Trial { rank: rank(energy, similarity.turn()), turn: similarity.turn(), state: displacement });
         *evaluations += 1;
     }
-    let mut starts: Vec<(f64, Vec<f64>)> = minima(turned);
-    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let ranks: Vec<f64> = turned.iter().map(|trial| trial.rank).collect();
+    let is_minimum = |k: usize| ranks[k].is_finite() && neighbours(&all, k).all(|other| ranks[k] <= ranks[other]);
+    // The first one does not turn.
+    let minima: Vec<usize> = (1..all.len()).filter(|&k| is_minimum(k)).collect();
+    let unturned = ranks[0].is_finite();
+    let mut starts: Vec<Trial<Vec<f64>>> = Vec::new();
+    let mut straight = Vec::new();
+    for (k, trial) in turned.into_iter().enumerate() {
+        if minima.contains(&k) {
+            starts.push(trial);
+        } else if k == 0 && unturned {
+            straight.push(trial);
+        }
+    }
+    starts.sort_by(|a, b| a.rank.total_cmp(&b.rank));
     starts.truncate(CANDIDATES);
-    starts.push((f64::INFINITY, vec![0.0; grid.node_count() * D]));
+    starts.extend(straight);
+    starts.push(Trial { rank: f64::INFINITY, turn: 0.0, state: vec![0.0; grid.node_count() * D] });
 
-    let mut trials: Vec<(f64, Newton<D>)> = starts
+    let mut trials: Vec<Trial<AnyMinimizer<D>>> = starts
         .into_iter()
-        .map(|(energy, displacement)| (energy, Newton::new(grid, displacement, settings.tolerance)))
+        .map(|Trial { rank, turn, state }| Trial { rank, turn, state: AnyMinimizer::new(number, settings, state) })
         .collect();
+    let slow = if settings.minimizer == MinimizerKind::Ncg { NCG_ITERATIONS } else { 1 };
     for (iterations, remaining) in ROUNDS {
-        for (energy, minimizer) in &mut trials {
-            for _ in 0..iterations {
-                let progress = minimizer.step(assembler).await;
-                *energy = progress.evaluation.total();
+        for trial in &mut trials {
+            for _ in 0..slow * iterations {
+                let progress = trial.state.step(assembler).await;
+                trial.rank = rank(progress.evaluation.total(), trial.turn);
+                *evaluations += 1;
                 if progress.stop.is_some() {
                     break;
                 }
             }
-            *evaluations += iterations;
         }
-        trials.sort_by(|a, b| a.0.total_cmp(&b.0));
+        trials.sort_by(|a, b| a.rank.total_cmp(&b.rank));
         trials.truncate(remaining);
     }
-    trials[0].1.displacement().to_vec()
-}
-
-/// Those entries of a ring whose neighbours have no less energy.
-fn minima(ring: Vec<(f64, Vec<f64>)>) -> Vec<(f64, Vec<f64>)> {
-    let energies: Vec<f64> = ring.iter().map(|entry| entry.0).collect();
-    let n = energies.len();
-    let is_minimum = |k: usize| {
-        energies[k].is_finite() && energies[k] <= energies[(k + 1) % n] && energies[k] <= energies[(k + n - 1) % n]
-    };
-    ring.into_iter().enumerate().filter(|(k, _)| is_minimum(*k)).map(|(_, entry)| entry).collect()
+    trials[0].state.displacement().to_vec()
 }

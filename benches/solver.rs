@@ -8,12 +8,12 @@ mod kernels;
 
 use kernels::{GAP, assembler_of, distances, lowest, pairs, start_from_65};
 use std::time::Instant;
-use thinshell::cascade::Cascade;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::minimize::{Minimizer, Ncg, Newton};
 use thinshell::ready::ready;
 use thinshell::report::{Report, report};
+use thinshell::search::Search;
 use thinshell::settings::{MinimizerKind, Settings};
 
 const RUNS: usize = 5;
@@ -104,7 +104,7 @@ struct End {
 
 fn whole(shapes: &[SignedDistance<2>; 2], settings: Settings) -> End {
     let [reference, template] = shapes.clone();
-    let mut cascade = ready(Cascade::new(reference, template, settings)).expect("valid settings");
+    let mut cascade = ready(Search::new(reference, template, settings)).expect("valid settings");
     let end = loop {
         let progress = ready(cascade.step());
         if progress.stop.is_some() {

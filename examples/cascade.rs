@@ -5,11 +5,11 @@ mod shapes;
 
 use glam::DVec2;
 use std::time::Instant;
-use thinshell::cascade::Cascade;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::ready::ready;
 use thinshell::report::report;
+use thinshell::search::Search;
 use thinshell::settings::Settings;
 
 fn main() {
@@ -31,7 +31,7 @@ fn run(settings: &Settings, reference: Vec<DVec2>, template: Vec<DVec2>) {
     let grid = Grid::of_level(settings.finest);
     let reference = SignedDistance::from_loops(grid, &[reference]).expect("a valid shape");
     let template = SignedDistance::from_loops(grid, &[template]).expect("a valid shape");
-    let mut cascade = ready(Cascade::new(reference, template, *settings)).expect("valid settings");
+    let mut cascade = ready(Search::new(reference, template, *settings)).expect("valid settings");
     println!("  start    {:7.1} ms", start.elapsed().as_secs_f64() * 1e3);
     let mut level_start = Instant::now();
     let mut last = None;
@@ -41,7 +41,7 @@ fn run(settings: &Settings, reference: Vec<DVec2>, template: Vec<DVec2>) {
         let next = last.replace(progress);
         if let Some(before) = next.filter(|before| before.level != progress.level || ended) {
             let shown = if ended { progress } else { before };
-            let report = report(&cascade.reference(), &cascade.template(), cascade.displacement());
+            let report = report(cascade.reference(), cascade.template(), cascade.displacement());
             println!(
                 "  level {} {:7.1} ms  {:4} iterations {:5} evaluations  E {:.6e}  det {:.3}{}",
                 shown.level,

@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::stencil::StencilOperator;
 
 /// The energies at one displacement, and whether it is admissible.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evaluation {
     /// Weighted energies; meaningless where the deformation folds.
     pub energies: Energies,

@@ -17,13 +17,17 @@ const MAX_SWEEPS: usize = 50;
 /// Where φ⁻¹ varies strongly within a cell, its nodal interpolant may fold though φ⁻¹ does not; nodes of such cells are
 /// moved to the mean of their neighbours until no cell folds.
 pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec<f64>> {
-    let mut inverse = nodal_inverse(grid, displacement)?;
+    smooth_folds(grid, nodal_inverse(grid, displacement)?)
+}
+
+/// Moves the nodes of folded cells to the mean of their neighbours until no cell folds; none if folds stay.
+pub(crate) fn smooth_folds<const D: usize>(grid: Grid<D>, mut displacement: Vec<f64>) -> Option<Vec<f64>> {
     for _ in 0..MAX_SWEEPS {
-        let folded = nodes_of_folds(grid, &inverse);
+        let folded = nodes_of_folds(grid, &displacement);
         if folded.is_empty() {
-            return Some(inverse);
+            return Some(displacement);
         }
-        let before = inverse.clone();
+        let before = displacement.clone();
         for node in folded {
             let index = grid.node_index(node);
             let (mut sum, mut count) = ([0.0; D], 0.0);
@@ -40,7 +44,7 @@ pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec
                 }
             }
             for k in 0..D {
-                inverse[node * D + k] = sum[k] / count;
+                displacement[node * D + k] = sum[k] / count;
             }
         }
     }

@@ -4,7 +4,7 @@
 //! (reference) and d2 (template), positive outside. Sought is the deformation φ: Ω → R^D that minimises
 //!
 //! ```text
-//! E[φ] = ∫ η(d1/σ) [ α_mem δ W_mem + α_bend δ³ |S_rel|² + 1/ε (d2∘φ − d1)² ] dx
+//! E[φ] = ∫ η(d1/σ) [ α_mem δ W_mem + α_bend δ³ |S_rel|² + 1/ε ((d2∘φ − d1)² + ρ² W_tan) ] dx
 //!      + ξ ∫ (ζ + (1−ζ) χ_{d1<0}) W_vol dx
 //! ```
 //!
@@ -15,6 +15,7 @@
 //! | W_mem(A_tg), A_tg = D_tgφᵀ D_tgφ | membrane, of the tangential Cauchy–Green strain | [`energy::Membrane`] |
 //! | S_rel = D_tgφᵀ D²d2(φ) D_tgφ − D²d1 | relative shape operator | [`energy::Bending`] |
 //! | (d2∘φ − d1)² | mismatch | [`energy::Mismatch`] |
+//! | W_tan = |∇(d2∘φ − d1)|² | H¹ residual of the mismatch, in the length ρ | [`energy::Tangency`] |
 //! | W_vol(DφᵀDφ) | volume | [`energy::Volume`] |
 //! | η, σ | profile and half width of the band | [`energy::Cutoff`] |
 //! | α, δ, 1/ε, ξ, ζ, θ | weights, thickness, penalty, softness outside, vertex share | [`settings::Settings`] |
@@ -27,10 +28,10 @@
 //!
 //! Modules, each using only those before it: [`small`], [`grid`], [`quadrature`], [`field`], [`hypersurface`], [`distance`], [`energy`],
 //! [`stencil`], [`assemble`], [`metric`], [`multigrid`], [`minimize`], [`prolongation`], [`inverse`], [`align`],
-//! [`settings`], [`cascade`]; [`contour`], [`narrow`] and [`report`] look at shapes and results, [`shape`] takes input.
+//! [`settings`], [`cascade`], [`report`], [`search`]; [`contour`] and [`narrow`] look at shapes, [`shape`] takes input.
 //!
 //! ```
-//! use thinshell::{cascade::Cascade, ready::ready, settings::Settings, shape::Shape};
+//! use thinshell::{search::Search, ready::ready, settings::Settings, shape::Shape};
 //! use glam::DVec2;
 //!
 //! let loop_of = |a: f64, b: f64| -> Vec<DVec2> {
@@ -40,9 +41,9 @@
 //! let settings = Settings { finest: 5, ..Settings::default() };
 //! let reference = Shape::Curves(vec![loop_of(0.2, 0.2)]).distance(settings.finest)?;
 //! let template = Shape::Curves(vec![loop_of(0.3, 0.2)]).distance(settings.finest)?;
-//! let mut cascade = ready(Cascade::new(reference, template, settings))?;
+//! let mut search = ready(Search::new(reference, template, settings))?;
 //! let end = loop {
-//!     let progress = ready(cascade.step());
+//!     let progress = ready(search.step());
 //!     if progress.stop.is_some() {
 //!         break progress;
 //!     }
@@ -70,6 +71,7 @@ pub mod prolongation;
 pub mod quadrature;
 pub mod ready;
 pub mod report;
+pub mod search;
 pub mod settings;
 pub mod shape;
 pub mod small;

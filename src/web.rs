@@ -5,13 +5,13 @@ mod settings;
 mod shape;
 mod status;
 
-use crate::cascade::Cascade;
 use crate::contour::zero_set;
 use crate::distance::SignedDistance;
 use crate::error::Error;
 use crate::field::interpolate;
 use crate::ready::ready;
 use crate::report::report;
+use crate::search::Search;
 use crate::settings::{Pin, Settings};
 use crate::shape::Shape;
 use glam::DVec2;
@@ -54,7 +54,7 @@ export interface Curves {
 /// The registration of a reference shape with a template.
 #[wasm_bindgen]
 pub struct Registration {
-    cascade: Cascade<2>,
+    search: Search<2>,
     source: Source,
     /// The zero sets of reference and template, and the level they were extracted on.
     curves: [Vec<Vec<DVec2>>; 2],
@@ -83,8 +83,8 @@ impl Registration {
             chosen: Chosen::default().with(&settings)?,
         };
         let (settings, [reference, template]) = source.prepare()?;
-        let cascade = Cascade::new(reference, template, settings).await?;
-        let mut registration = Self { cascade, source, curves: Default::default(), curves_level: 0 };
+        let search = Search::new(reference, template, settings).await?;
+        let mut registration = Self { search, source, curves: Default::default(), curves_level: 0 };
         registration.extract_curves();
         Ok(registration)
     }
@@ -106,7 +106,7 @@ impl Registration {
         }
         source.chosen = source.chosen.with(&property("the change", &change, "settings")?)?;
         let (settings, [reference, template]) = source.prepare()?;
-        self.cascade.update(reference, template, settings).await?;
+        self.search.update(reference, template, settings).await?;
         self.source = source;
         self.extract_curves();
         self.status()
@@ -116,10 +116,10 @@ impl Registration {
     #[wasm_bindgen(unchecked_return_type = "Status")]
     pub async fn step(&mut self, iterations: u32) -> Result<JsValue, JsError> {
         for _ in 0..iterations {
-            if self.cascade.progress().stop.is_some() {
+            if self.search.progress().stop.is_some() {
                 break;
             }
-            self.cascade.step().await;
+            self.search.step().await;
         }
         self.status()
     }
@@ -132,22 +132,22 @@ impl Registration {
 
     /// φ at the nodes of the current level: x y x y …, x fastest, domain units.
     pub fn deformation(&self) -> Vec<f64> {
-        let grid = self.cascade.grid();
+        let grid = self.search.grid();
         let positions = (0..grid.node_count()).flat_map(|node| grid.position(node));
-        positions.zip(self.cascade.displacement()).map(|(x, u)| x + u).collect()
+        positions.zip(self.search.displacement()).map(|(x, u)| x + u).collect()
     }
 
     /// Energies and gradient of the current level at a deformation of the same form as `deformation()`.
     #[wasm_bindgen(unchecked_return_type = "Evaluation")]
     pub fn evaluate(&mut self, deformation: Vec<f64>) -> Result<JsValue, JsError> {
-        let grid = self.cascade.grid();
+        let grid = self.search.grid();
         check_array("deformation", &deformation, 2 * grid.node_count(), || {
-            format!("x and y at the {} nodes of level {}", grid.node_count(), self.cascade.progress().level)
+            format!("x and y at the {} nodes of level {}", grid.node_count(), self.search.progress().level)
         })?;
         let positions = (0..grid.node_count()).flat_map(|node| grid.position(node));
         let displacement: Vec<f64> = deformation.iter().zip(positions).map(|(y, x)| y - x).collect();
         let mut gradient = vec![0.0; displacement.len()];
-        let evaluated = ready(self.cascade.evaluate(&displacement, &mut gradient));
+        let evaluated = ready(self.search.evaluate(&displacement, &mut gradient));
         to_js(&Evaluation::new(&evaluated, gradient))
     }
 
@@ -182,24 +182,24 @@ impl Registration {
 
 impl Registration {
     fn move_point(&self, point: DVec2) -> DVec2 {
-        point + DVec2::from(interpolate::<2, 2>(self.cascade.grid(), self.cascade.displacement(), &point.to_array()))
+        point + DVec2::from(interpolate::<2, 2>(self.search.grid(), self.search.displacement(), &point.to_array()))
     }
 
     fn update_curves(&mut self) {
-        if self.curves_level != self.cascade.progress().level {
+        if self.curves_level != self.search.progress().level {
             self.extract_curves();
         }
     }
 
     fn extract_curves(&mut self) {
-        self.curves_level = self.cascade.progress().level;
+        self.curves_level = self.search.progress().level;
         self.curves =
-            [self.cascade.reference(), self.cascade.template()].map(|shape| zero_set(shape.grid(), shape.values()));
+            [self.search.reference(), self.search.template()].map(|shape| zero_set(shape.grid(), shape.values()));
     }
 
     fn status(&self) -> Result<JsValue, JsError> {
-        let progress = self.cascade.progress();
-        let quality = report(&self.cascade.reference(), &self.cascade.template(), self.cascade.displacement());
+        let progress = self.search.progress();
+        let quality = report(self.search.reference(), self.search.template(), self.search.displacement());
         to_js(&Status::new(&progress, &quality))
     }
 }

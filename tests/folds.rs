@@ -3,16 +3,16 @@
 #[path = "common/mod.rs"]
 mod shapes;
 
-use thinshell::cascade::{Cascade, CascadeProgress};
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::minimize::Stop;
 use thinshell::ready::ready;
+use thinshell::search::{Search, SearchProgress};
 use thinshell::settings::{Alignment, MinimizerKind, Settings};
 
 /// A circle drawn out to an ellipse more than three times as long by volume energy alone, the paper's Table 1, right:
 /// nothing evens out the stretch, so single cells come close to folding.
-fn drawn_out(settings: Settings) -> (Cascade<2>, CascadeProgress) {
+fn drawn_out(settings: Settings) -> (Search<2>, SearchProgress) {
     let settings = Settings {
         membrane: 0.0,
         bending: 0.0,
@@ -27,7 +27,7 @@ fn drawn_out(settings: Settings) -> (Cascade<2>, CascadeProgress) {
     let grid = Grid::of_level(settings.finest);
     let reference = SignedDistance::from_loops(grid, &[shapes::circle([0.5, 0.5], 0.12)]).unwrap();
     let template = SignedDistance::from_loops(grid, &[shapes::ellipse([0.5, 0.5], 0.4106, 0.12)]).unwrap();
-    let mut cascade = ready(Cascade::new(reference, template, settings)).unwrap();
+    let mut cascade = ready(Search::new(reference, template, settings)).unwrap();
     loop {
         let progress = ready(cascade.step());
         assert!(progress.evaluation.is_admissible(), "level {}: {:?}", progress.level, progress.evaluation);

@@ -4,11 +4,11 @@ mod common;
 
 use common::{circle, ellipse};
 use glam::DVec2;
-use thinshell::cascade::{Cascade, CascadeProgress};
 use thinshell::distance::SignedDistance;
 use thinshell::error::Error;
 use thinshell::grid::Grid;
 use thinshell::ready::ready;
+use thinshell::search::{Search, SearchProgress};
 use thinshell::settings::{Alignment, MinimizerKind, Settings};
 
 const CENTRE: [f64; 2] = [0.5, 0.5];
@@ -17,7 +17,7 @@ fn distance(level: u32, loops: &[Vec<DVec2>]) -> SignedDistance<2> {
     SignedDistance::from_loops(Grid::of_level(level), loops).expect("a valid shape")
 }
 
-fn end<const D: usize>(cascade: &mut Cascade<D>) -> CascadeProgress {
+fn end<const D: usize>(cascade: &mut Search<D>) -> SearchProgress {
     loop {
         let progress = ready(cascade.step());
         if progress.stop.is_some() {
@@ -41,7 +41,7 @@ fn what_has_no_finite_energy_is_refused_by_the_name_of_the_term() {
                 let settings = Settings { alignment, minimizer, ..settings };
                 let [reference, template] = shapes();
                 // Bounds of the settings may refuse first.
-                match ready(Cascade::new(reference, template, settings)).err() {
+                match ready(Search::new(reference, template, settings)).err() {
                     Some(Error::NoEnergy { term, .. }) => assert_eq!(term, name),
                     Some(Error::Setting { name: setting, .. }) => assert!(setting == name || setting == "penalty"),
                     other => panic!("{name}: {other:?}"),
@@ -55,7 +55,7 @@ fn what_has_no_finite_energy_is_refused_by_the_name_of_the_term() {
 fn an_update_without_finite_energy_is_refused_and_changes_nothing() {
     let (reference, template) = (distance(5, &[circle(CENTRE, 0.2)]), distance(5, &[ellipse(CENTRE, 0.3, 0.2)]));
     let settings = Settings { finest: 5, ..Settings::default() };
-    let mut cascade = ready(Cascade::new(reference.clone(), template.clone(), settings)).expect("valid settings");
+    let mut cascade = ready(Search::new(reference.clone(), template.clone(), settings)).expect("valid settings");
     ready(cascade.step());
     let before = (cascade.displacement().to_vec(), cascade.progress().evaluations);
     let huge = SignedDistance::from_nodal(template.grid(), template.values().iter().map(|d| d * 1e160).collect());
@@ -90,7 +90,7 @@ fn shapes_that_fall_between_coarse_nodes_start_on_the_first_level_that_carries_t
     for (name, reference, template, level) in cases {
         let settings = Settings { finest: 6, ..Settings::default() };
         let (reference, template) = (distance(6, &reference), distance(6, &template));
-        let mut cascade = ready(Cascade::new(reference, template, settings)).expect("valid settings");
+        let mut cascade = ready(Search::new(reference, template, settings)).expect("valid settings");
         assert_eq!(cascade.progress().level, level, "{name}");
         for _ in 0..10 {
             let progress = ready(cascade.step());
@@ -104,7 +104,7 @@ fn an_update_to_a_small_shape_goes_on_where_it_is_carried() {
     let settings = Settings { finest: 6, ..Settings::default() };
     let reference = distance(6, &[circle(CENTRE, 0.2)]);
     let small = distance(6, &[circle([0.5 + 1.0 / 32.0, 0.5 + 1.0 / 32.0], 0.02)]);
-    let mut cascade = ready(Cascade::new(reference.clone(), reference.clone(), settings)).expect("valid settings");
+    let mut cascade = ready(Search::new(reference.clone(), reference.clone(), settings)).expect("valid settings");
     assert_eq!(cascade.progress().level, 4);
     ready(cascade.update(reference, small, settings)).expect("a valid update");
     assert_eq!(cascade.progress().level, 5);
@@ -134,7 +134,7 @@ fn spheres_become_ellipsoids_by_either_minimiser() {
             alignment: Alignment::None,
             ..Settings::default()
         };
-        let mut cascade = ready(Cascade::<3>::new(sphere.clone(), target.clone(), settings)).expect("valid settings");
+        let mut cascade = ready(Search::<3>::new(sphere.clone(), target.clone(), settings)).expect("valid settings");
         let before = cascade.progress().evaluation;
         let end = end(&mut cascade);
         assert!(end.evaluation.is_admissible() && end.level == 4, "{minimizer:?}: {end:?}");

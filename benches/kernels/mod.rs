@@ -7,7 +7,6 @@ pub mod shapes;
 
 use glam::DVec2;
 use thinshell::assemble::{Assembler, CpuAssembler};
-use thinshell::cascade::Cascade;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::metric::SobolevMetric;
@@ -15,6 +14,7 @@ use thinshell::minimize::{Minimizer, Ncg, Newton};
 use thinshell::multigrid::Multigrid;
 use thinshell::prolongation::prolongate;
 use thinshell::ready::ready;
+use thinshell::search::Search;
 use thinshell::settings::Settings;
 use thinshell::small::{F64x2, Scalar};
 
@@ -109,7 +109,7 @@ fn newton_iteration(level: u32) -> Kernel {
 fn cascade(name: &str, pair: [Vec<DVec2>; 2]) -> Kernel {
     Kernel::new(format!("cascade 17² → 129², {name}"), 1, move || {
         let [reference, template] = distances(LEVEL, &pair);
-        let mut cascade = ready(Cascade::new(reference, template, Settings::default())).expect("valid settings");
+        let mut cascade = ready(Search::new(reference, template, Settings::default())).expect("valid settings");
         while ready(cascade.step()).stop.is_none() {}
     })
 }
@@ -121,7 +121,7 @@ pub const GAP: f64 = 1e-3;
 pub fn start_from_65(pair: &[Vec<DVec2>; 2]) -> Vec<f64> {
     let settings = Settings { finest: 6, ..Settings::default() };
     let [reference, template] = distances(6, pair);
-    let mut cascade = ready(Cascade::new(reference, template, settings)).expect("valid settings");
+    let mut cascade = ready(Search::new(reference, template, settings)).expect("valid settings");
     while ready(cascade.step()).stop.is_none() {}
     prolongate(cascade.grid(), cascade.displacement())
 }

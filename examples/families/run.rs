@@ -3,12 +3,12 @@
 use super::family::Pair;
 use std::fmt;
 use std::time::Instant;
-use thinshell::cascade::Cascade;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::narrow::narrowest;
 use thinshell::ready::ready;
 use thinshell::report::report;
+use thinshell::search::Search;
 use thinshell::settings::Settings;
 
 /// Narrower necks and gaps, in cells, a grid cannot tell from none.
@@ -66,7 +66,7 @@ pub fn run(pair: &Pair, level: u32) -> Outcome {
     };
     let shapes = [&pair.reference, &pair.template].map(|loops| distance(loops));
     let [reference, template] = shapes.clone();
-    let mut cascade = ready(Cascade::new(reference, template, settings)).expect("valid settings");
+    let mut cascade = ready(Search::new(reference, template, settings)).expect("valid settings");
     let mut cost = 0.0;
     let end = loop {
         let progress = ready(cascade.step());

@@ -86,7 +86,7 @@ declare! {
         help: "Along the moved curve, as in the paper, a curve that has to shrink may crumple instead; along the second curve crumpling does not help it.",
         kind: Kind::Choice(MEMBRANE_MODELS),
     }
-    bending: f64 = 1.0 => {
+    bending: f64 = 0.03 => {
         name: "bending", symbol: "α_bend", group: Energies, on_page: true,
         label: "Bending",
         help: "How much the shell resists a change of curvature. 0 leaves it out.",
@@ -124,7 +124,7 @@ declare! {
         help: "How strongly pins pull, in units of the fit. 0 ignores them.",
         kind: Kind::Number(weight(0.0, 1e6).usual(0.0, 100.0)),
     }
-    volume: f64 = 1e-3 => {
+    volume: f64 = 1e-2 => {
         name: "volume", symbol: "ξ", group: Energies, on_page: true,
         label: "Volume",
         help: "How much the plane around the curve resists being deformed.",

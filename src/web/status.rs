@@ -1,9 +1,9 @@
 //! What a registration answers.
 
 use crate::assemble::Evaluation as Evaluated;
-use crate::cascade::CascadeProgress;
 use crate::energy::Energies as Weighted;
 use crate::report::{Report, Spread as Measured};
+use crate::search::SearchProgress;
 use js_sys::Float64Array;
 use serde::Serialize;
 use tsify::Tsify;
@@ -41,6 +41,8 @@ pub struct Status {
     /// Why it ended, a sentence; null while it goes on.
     #[tsify(type = "string | null")]
     stop: Option<String>,
+    /// What the search is trying at present, in words.
+    approach: String,
     level: u32,
     /// Iterations on this level.
     iteration: usize,
@@ -89,10 +91,11 @@ impl From<&Measured<2>> for Spread {
 }
 
 impl Status {
-    pub(super) fn new(progress: &CascadeProgress, report: &Report<2>) -> Self {
+    pub(super) fn new(progress: &SearchProgress, report: &Report<2>) -> Self {
         Self {
             finished: progress.stop.is_some(),
             stop: progress.stop.map(|stop| stop.to_string()),
+            approach: progress.approach.to_string(),
             level: progress.level,
             iteration: progress.iteration,
             evaluations: progress.evaluations,

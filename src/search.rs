@@ -1,0 +1,305 @@
+//! The search for a match: runs of the cascade, one after the other, until one is good.
+//!
+//! One run is good for most pairs, and then the search costs nothing but a look at the result. It ends short of that where
+//! the shell must be compressed more than it bears (the other way round it is stretched), where the energies' balance
+//! keeps it out of details, or where the aim has limbs too far from its own. For each there is a step.
+
+mod plan;
+
+pub use plan::Approach;
+
+use crate::assemble::{Assembler, CpuAssembler, Evaluation};
+use crate::cascade::Cascade;
+use crate::distance::SignedDistance;
+use crate::error::Error;
+use crate::grid::Grid;
+use crate::inverse::{invert, smooth_folds};
+use crate::minimize::Stop;
+use crate::prolongation::coarsen;
+use crate::report::{Report, report};
+use crate::settings::{Alignment, Settings};
+use plan::{Fit, Plan};
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+/// Iterations that refine the inverse of an exchanged match: more would start to crumple the shell, which is what the
+/// exchange avoids.
+const REFINEMENT: usize = 10;
+/// Iterations of sharpening.
+const SHARPENING: usize = 15;
+/// The level to which [`Approach::Cycled`] goes back: 33 nodes a side.
+const CYCLE_LEVEL: u32 = 5;
+
+/// A registration under way.
+pub struct Search<const D: usize> {
+    settings: Settings,
+    /// Reference and template on the finest level.
+    shapes: [Rc<SignedDistance<D>>; 2],
+    approach: Approach,
+    /// The run of the present approach; from the template to the reference if that is the approach.
+    run: Cascade<D>,
+    plan: Plan,
+    /// The best so far: u on the finest level.
+    best: Option<(Fit, Vec<f64>)>,
+    /// Evaluations of the runs before this one.
+    past_evaluations: usize,
+    stop: Option<Stop>,
+    /// u of φ while the run works on φ⁻¹.
+    inverse: OnceCell<Vec<f64>>,
+}
+
+/// Where a search stands.
+#[derive(Clone, Copy, Debug)]
+pub struct SearchProgress {
+    pub approach: Approach,
+    pub level: u32,
+    /// Iterations on this level.
+    pub iteration: usize,
+    /// Evaluations of the energy in all.
+    pub evaluations: usize,
+    /// While the roles are exchanged: the energies of φ⁻¹ with the template as the shell.
+    pub evaluation: Evaluation,
+    /// Set once the search has ended.
+    pub stop: Option<Stop>,
+}
+
+impl<const D: usize> Search<D> {
+    /// Both shapes on the finest level's grid. With `align: none` a single run from the identity, as in the paper.
+    ///
+    /// # Errors
+    /// A setting out of range, or no finite energy to begin with.
+    pub async fn new(
+        reference: SignedDistance<D>,
+        template: SignedDistance<D>,
+        settings: Settings,
+    ) -> Result<Self, Error> {
+        settings.validate()?;
+        let shapes = [Rc::new(reference), Rc::new(template)];
+        let mut plan = match settings.alignment {
+            Alignment::None => Plan::single(),
+            Alignment::Similarity => Plan::of(&shapes[0], &shapes[1]),
+        };
+        let approach = plan.next(None).expect("a plan has a first approach");
+        let run = Cascade::begin(in_direction(&shapes, approach), settings).await?;
+        Ok(Self {
+            settings,
+            shapes,
+            approach,
+            run,
+            plan,
+            best: None,
+            past_evaluations: 0,
+            stop: None,
+            inverse: OnceCell::new(),
+        })
+    }
+
+    /// Goes on with other shapes or settings from the deformation there is, on its level or the nearest one of the new
+    /// settings, in a single run. Nothing is changed if this fails.
+    ///
+    /// # Errors
+    /// A setting out of range, or no finite energy to begin with.
+    pub async fn update(
+        &mut self,
+        reference: SignedDistance<D>,
+        template: SignedDistance<D>,
+        settings: Settings,
+    ) -> Result<(), Error> {
+        settings.validate()?;
+        let shapes = [Rc::new(reference), Rc::new(template)];
+        let displacement = self.displacement().to_vec();
+        let run = Cascade::resume(shapes.clone(), settings, self.progress().level, self.grid(), displacement).await?;
+        self.past_evaluations = self.progress().evaluations;
+        self.inverse.take();
+        (self.shapes, self.settings, self.run) = (shapes, settings, run);
+        (self.approach, self.plan, self.best, self.stop) = (Approach::Direct, Plan::none(), None, None);
+        Ok(())
+    }
+
+    /// One iteration; nothing once the search has ended.
+    pub async fn step(&mut self) -> SearchProgress {
+        if self.stop.is_none() {
+            self.inverse.take();
+            if let Some(stop) = self.run.step().await.stop {
+                self.conclude(stop).await;
+            }
+        }
+        self.progress()
+    }
+
+    /// Judges the run that has ended and begins the next one, or ends the search.
+    async fn conclude(&mut self, stop: Stop) {
+        if self.plan.is_single() {
+            self.stop = Some(stop);
+            return;
+        }
+        let fit = Fit::of(&self.judge());
+        if self.approach.is_exchanged() {
+            if fit.is_worth_inverting()
+                && let Some(displacement) = invert(self.run.grid(), self.run.displacement())
+                && self.begin_from(Approach::Inverted, self.settings, self.settings.finest, displacement).await
+            {
+                self.run.limit(REFINEMENT);
+                return;
+            }
+        } else if self.best.as_ref().is_none_or(|(best, _)| fit.cost() < best.cost()) {
+            self.best = Some((fit, self.run.displacement().to_vec()));
+        }
+        while let Some(approach) = self.plan.next(self.best.as_ref().map(|(fit, _)| fit)) {
+            if self.begin(approach).await {
+                return;
+            }
+        }
+        self.finish(stop).await;
+    }
+
+    /// Whether the approach could be begun.
+    async fn begin(&mut self, approach: Approach) -> bool {
+        let settings = approach.settings(&self.settings);
+        let best = self.best.as_ref().map(|(_, displacement)| displacement.clone());
+        match approach {
+            Approach::Sharpened(_) => {
+                let Some(displacement) = best else { return false };
+                let begun = self.begin_from(approach, settings, settings.finest, displacement).await;
+                self.run.limit(SHARPENING);
+                begun
+            }
+            Approach::Cycled => {
+                let Some(mut displacement) = best else { return false };
+                let mut grid = Grid::<D>::of_level(settings.finest);
+                while grid.cells() > 1 << CYCLE_LEVEL {
+                    displacement = coarsen(grid, &displacement);
+                    grid = Grid::new(grid.cells() / 2);
+                }
+                let Some(displacement) = smooth_folds(grid, displacement) else { return false };
+                let level = CYCLE_LEVEL.min(settings.finest);
+                self.resume(approach, settings, level, grid, displacement).await
+            }
+            _ => match Cascade::begin(in_direction(&self.shapes, approach), settings).await {
+                Ok(run) => {
+                    self.enter(approach, run);
+                    if approach.is_loaded() {
+                        self.run.load_incrementally();
+                    }
+                    true
+                }
+                Err(_) => false,
+            },
+        }
+    }
+
+    async fn begin_from(&mut self, approach: Approach, settings: Settings, level: u32, displacement: Vec<f64>) -> bool {
+        self.resume(approach, settings, level, Grid::of_level(self.settings.finest), displacement).await
+    }
+
+    async fn resume(
+        &mut self,
+        approach: Approach,
+        settings: Settings,
+        level: u32,
+        grid: Grid<D>,
+        displacement: Vec<f64>,
+    ) -> bool {
+        // A deformation that has no finite energy under other settings is no beginning; the next approach is.
+        match Cascade::resume(in_direction(&self.shapes, approach), settings, level, grid, displacement).await {
+            Ok(run) => {
+                self.enter(approach, run);
+                true
+            }
+            Err(_) => false,
+        }
+    }
+
+    fn enter(&mut self, approach: Approach, run: Cascade<D>) {
+        self.past_evaluations += self.run.progress().evaluations;
+        self.inverse.take();
+        (self.approach, self.run) = (approach, run);
+    }
+
+    /// Ends with the best there is, looked at with the settings as they are.
+    async fn finish(&mut self, stop: Stop) {
+        self.stop = Some(stop);
+        let Some((fit, displacement)) = self.best.take() else { return };
+        let is_there = !self.approach.is_exchanged()
+            && self.approach.settings(&self.settings) == self.settings
+            && self.run.displacement() == displacement.as_slice();
+        if !is_there {
+            let origin = fit.approach;
+            if self.begin_from(origin, self.settings, self.settings.finest, displacement).await {
+                self.stop = Some(Stop::BestOf);
+            }
+        }
+    }
+
+    /// The present run's result, in its own direction.
+    fn judge(&self) -> (Approach, Report<D>) {
+        let [shell, aim] = in_direction(&self.shapes, self.approach);
+        (self.approach, report(&shell, &aim, self.run.displacement()))
+    }
+
+    /// The state after the last step, or at the start.
+    pub fn progress(&self) -> SearchProgress {
+        let run = self.run.progress();
+        SearchProgress {
+            approach: self.approach,
+            level: run.level,
+            iteration: run.iteration,
+            evaluations: self.past_evaluations + run.evaluations,
+            evaluation: run.evaluation,
+            stop: self.stop,
+        }
+    }
+
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The current level's grid.
+    pub fn grid(&self) -> Grid<D> {
+        self.run.grid()
+    }
+
+    /// u = φ − x at the nodes of the current level.
+    pub fn displacement(&self) -> &[f64] {
+        let displacement = self.run.displacement();
+        if !self.approach.is_exchanged() {
+            return displacement;
+        }
+        // Where the inverse cannot be found yet, nothing is shown to move.
+        let inverse = || invert(self.grid(), displacement).unwrap_or_else(|| vec![0.0; displacement.len()]);
+        self.inverse.get_or_init(inverse)
+    }
+
+    /// The shapes on the finest level.
+    pub fn shapes(&self) -> [&SignedDistance<D>; 2] {
+        [&self.shapes[0], &self.shapes[1]]
+    }
+
+    /// The reference on the current level.
+    pub fn reference(&self) -> &SignedDistance<D> {
+        self.run.shapes()[usize::from(self.approach.is_exchanged())]
+    }
+
+    /// The template on the current level.
+    pub fn template(&self) -> &SignedDistance<D> {
+        self.run.shapes()[usize::from(!self.approach.is_exchanged())]
+    }
+
+    /// Energies and gradient of the current level at any displacement, with the settings as they are.
+    pub async fn evaluate(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation {
+        if !self.approach.is_exchanged() && *self.run.settings() == self.settings {
+            return self.run.evaluate(displacement, gradient).await;
+        }
+        let functional = self.settings.functional(self.run.progress().level);
+        let mut assembler: CpuAssembler<D> = CpuAssembler::new(&functional, self.reference(), self.template());
+        assembler.gradient(displacement, gradient).await
+    }
+}
+
+/// The shell and its aim.
+fn in_direction<const D: usize>(
+    [reference, template]: &[Rc<SignedDistance<D>>; 2],
+    approach: Approach,
+) -> [Rc<SignedDistance<D>>; 2] {
+    if approach.is_exchanged() { [template.clone(), reference.clone()] } else { [reference.clone(), template.clone()] }
+}

@@ -1,0 +1,169 @@
+//! Which approaches a search takes, in which order, and what it is content with.
+
+use crate::align::boundary_measure;
+use crate::distance::SignedDistance;
+use crate::energy::MembraneModel;
+use crate::report::Report;
+use crate::settings::Settings;
+use std::collections::VecDeque;
+use std::fmt;
+
+/// A shell compressed to less than this share of its size crumples rather than shrinks (the paper's Fig. 5): such pairs
+/// are tried the other way round first.
+const SHORTER: f64 = 0.9;
+
+/// A match is good if no point of the shell is farther from its aim, and no point of the aim farther from the shell, than
+/// this, in cells; and if the shell is hardly longer than its aim.
+const GOOD_MISMATCH: f64 = 0.5;
+const GOOD_COVER: f64 = 1.0;
+const GOOD_MEASURE: f64 = 1.1;
+/// An exchanged match is worth inverting if it is as close as this: errors of φ⁻¹ are stretched by φ.
+const INVERTED_MISMATCH: f64 = 1.0;
+const INVERTED_COVER: f64 = 2.0;
+/// A round of sharpening takes the thickness and the penalty of a grid with a quarter of the spacing.
+const SHARPER: f64 = 4.0;
+const SHARPENINGS: u8 = 2;
+/// Matches that are worse than this are not sharpened: what they miss is not detail.
+const SHARPENED_COST: f64 = 2.0;
+
+/// One way to look for a match.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Approach {
+    /// From the reference to the template, coarse to fine.
+    Direct,
+    /// From the template to the reference.
+    Exchanged,
+    /// The inverse of an exchanged match, refined.
+    Inverted,
+    /// The best match so far, drawn to the template as on a grid of a quarter of the spacing, or of less by as many
+    /// rounds.
+    Sharpened(u8),
+    /// From the reference to the template in small loads.
+    Loaded,
+    /// From the template to the reference in small loads.
+    LoadedExchanged,
+    /// The best match so far, taken back to a coarse grid and run from there again.
+    Cycled,
+}
+
+impl Approach {
+    /// Whether the template is the shell and the reference its aim.
+    pub fn is_exchanged(self) -> bool {
+        matches!(self, Self::Exchanged | Self::LoadedExchanged)
+    }
+
+    pub(super) fn is_loaded(self) -> bool {
+        matches!(self, Self::Loaded | Self::LoadedExchanged)
+    }
+
+    /// The settings that it runs with.
+    pub(super) fn settings(self, settings: &Settings) -> Settings {
+        match self {
+            Self::Sharpened(rounds) => {
+                let sharper = SHARPER.powi(rounds.into());
+                Settings { penalty: sharper * settings.penalty, thickness: settings.thickness / sharper, ..*settings }
+            }
+            Self::Loaded | Self::LoadedExchanged | Self::Cycled => {
+                Settings { membrane_model: MembraneModel::Projected, ..*settings }
+            }
+            Self::Direct | Self::Exchanged | Self::Inverted => *settings,
+        }
+    }
+}
+
+impl fmt::Display for Approach {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Direct => "Matching the reference with the template",
+            Self::Exchanged => "Matching the other way round: the template with the reference",
+            Self::Inverted => "Refining the inverse of the match found the other way round",
+            Self::Sharpened(_) => "Sharpening: the template pulls more strongly",
+            Self::Loaded => "Matching in small steps",
+            Self::LoadedExchanged => "Matching the other way round, in small steps",
+            Self::Cycled => "Back to a coarse grid with the best match so far",
+        })
+    }
+}
+
+/// How good a match is, in cells of the finest level.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fit {
+    pub approach: Approach,
+    mismatch: f64,
+    cover: f64,
+    measure: f64,
+}
+
+impl Fit {
+    pub fn of<const D: usize>((approach, report): &(Approach, Report<D>)) -> Self {
+        Self { approach: *approach, mismatch: report.mismatch.max, cover: report.cover.max, measure: report.measure }
+    }
+
+    /// The least is the best.
+    pub fn cost(&self) -> f64 {
+        self.mismatch.max(0.5 * self.cover).max(5.0 * (self.measure - 1.0))
+    }
+
+    fn is_close(&self) -> bool {
+        self.mismatch <= GOOD_MISMATCH && self.cover <= GOOD_COVER
+    }
+
+    fn is_good(&self) -> bool {
+        self.is_close() && self.measure <= GOOD_MEASURE
+    }
+
+    pub fn is_worth_inverting(&self) -> bool {
+        self.mismatch <= INVERTED_MISMATCH && self.cover <= INVERTED_COVER
+    }
+}
+
+/// The approaches that are left.
+pub(super) struct Plan {
+    left: VecDeque<Approach>,
+    /// What it began with was all.
+    single: bool,
+    /// Rounds since the last other approach.
+    sharpened: u8,
+}
+
+impl Plan {
+    /// One direct run.
+    pub fn single() -> Self {
+        Self { left: [Approach::Direct].into(), single: true, sharpened: 0 }
+    }
+
+    /// Nothing: the run there is is the last.
+    pub fn none() -> Self {
+        Self { left: VecDeque::new(), single: true, sharpened: 0 }
+    }
+
+    pub fn of<const D: usize>(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self {
+        let shorter = boundary_measure(template) < SHORTER * boundary_measure(reference);
+        let left = if shorter {
+            [Approach::Exchanged, Approach::Direct, Approach::LoadedExchanged, Approach::Loaded, Approach::Cycled]
+        } else {
+            [Approach::Direct, Approach::Exchanged, Approach::Loaded, Approach::LoadedExchanged, Approach::Cycled]
+        };
+        Self { left: left.into(), single: false, sharpened: 0 }
+    }
+
+    pub fn is_single(&self) -> bool {
+        self.single
+    }
+
+    /// The next approach; none if the best match so far is good or nothing is left to try.
+    pub fn next(&mut self, best: Option<&Fit>) -> Option<Approach> {
+        if let Some(best) = best {
+            if best.is_good() {
+                return None;
+            }
+            // What crumples would crumple more.
+            if best.measure <= GOOD_MEASURE && self.sharpened < SHARPENINGS && best.cost() <= SHARPENED_COST {
+                self.sharpened += 1;
+                return Some(Approach::Sharpened(self.sharpened));
+            }
+            self.sharpened = 0;
+        }
+        self.left.pop_front()
+    }
+}

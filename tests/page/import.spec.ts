@@ -350,7 +350,9 @@ test.describe("rubbish is refused with a reason, and the shapes stay", () => {
       await button(page, "Close").click();
       expect(page.url()).toContain("preset=ellipse");
       await expect(button(page, "Undo")).toBeDisabled();
-      expect(seen.errors).toEqual([]);
+      // Of broken XML the browser makes a page with styles of its own, which the policy refuses it.
+      const own = title === "a broken SVG" ? /^Applying inline style violates/ : /^$/;
+      expect(seen.errors.filter((error) => !own.test(error))).toEqual([]);
     });
   }
 });

@@ -1,30 +1,23 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import type { Collection, Silhouette } from "../gallery";
-import { prepared } from "../shapes/import/fit";
-import type { Found } from "../shapes/import/found";
-
-type Thumbnail = Silhouette & { readonly path: string };
-type Shown = Omit<Collection, "silhouettes"> & { readonly silhouettes: readonly Thumbnail[] };
+import type { Collection } from "../gallery";
+import type { FoundShapes } from "../shapes/import/found";
+import { fetched } from "./fetched";
 
 type Props = {
-  readonly onChoose: (found: Found, name: string) => void;
+  readonly onChoose: (found: FoundShapes, name: string) => void;
   readonly onProblem: (problem: unknown) => void;
 };
 
 /** Silhouettes to take, with their credits; fetched when it is opened. */
 export function Gallery({ onChoose, onProblem }: Props) {
-  const shown = useSignal<readonly Shown[] | null>(null);
+  const shown = useSignal<readonly Collection[] | null>(null);
   useEffect(() => {
-    import("../gallery").then(
-      ({ collections }) => {
-        shown.value = collections().map((collection) => ({
-          ...collection,
-          silhouettes: collection.silhouettes.map((silhouette) => ({ ...silhouette, path: pathOf(silhouette.found) })),
-        }));
-      },
-      () => onProblem(new Error("The gallery could not be loaded; check the connection and open it again.")),
-    );
+    fetched("The gallery", () => import("../gallery"))
+      .then(({ collections }) => {
+        shown.value = collections();
+      })
+      .catch(onProblem);
     // Once for each opening.
   }, [shown]);
 
@@ -53,24 +46,4 @@ export function Gallery({ onChoose, onProblem }: Props) {
       ))}
     </div>
   );
-}
-
-function pathOf(found: Found): string {
-  if (found.kind !== "shapes") return "";
-  const [choice] = found.choices;
-  const { shape } = prepared(choice.loops, {
-    parts: choice.mainPart ? "largest" : "all",
-    holes: "keep",
-    placement: "fit",
-    smoothing: choice.smoothing,
-  });
-  return shape
-    .map((loop) => {
-      let text = "";
-      for (let i = 0; i < loop.length; i += 4) {
-        text += `${i === 0 ? "M" : "L"}${loop[i].toFixed(3)} ${(1 - loop[i + 1]).toFixed(3)}`;
-      }
-      return `${text}Z`;
-    })
-    .join("");
 }

@@ -1,14 +1,18 @@
 import { useSignal, useSignalEffect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { decodeRecord, type MatchRecord } from "../record";
 import type { Session, Side } from "../session";
-import type { Found } from "../shapes/import/found";
-import { readFile, readText } from "../shapes/import/index";
+import type { Outcome } from "../shapes/import/content";
+import type { FoundShapes } from "../shapes/import/found";
+import { type Read, Reader } from "../shapes/import/reader";
+import { adopt } from "./adopt";
 import { Gallery } from "./Gallery";
-import "./import.css";
 import { ImportOptions, ImportPreview } from "./ImportPreview";
-import { begun, type Draft, type Outcome, outcome } from "./importDraft";
+import style from "./import.css?inline";
+import { begun, type Draft, selectionOf } from "./importDraft";
 import { importing } from "./importing";
+
+adopt(style);
 
 const SIDES: readonly Side[] = ["reference", "template"];
 
@@ -19,70 +23,100 @@ export function ImportDialog({ session }: { session: Session }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const primary = useRef<HTMLButtonElement>(null);
   const draft = useSignal<Draft | null>(null);
+  const result = useSignal<Outcome | null>(null);
+  /** The result under way, or the last one: what is taken is what was wished last. */
+  const pending = useRef<Promise<Outcome> | null>(null);
   const saved = useSignal<MatchRecord | null>(null);
   const problem = useSignal<string | null>(null);
-  const reading = useSignal(false);
+  /** The part of a reading that is done; 0 as well where nobody knows. Null while nothing is read. */
+  const reading = useSignal<number | null>(null);
   const browsing = useSignal(false);
+  const reader = useMemo(
+    () =>
+      new Reader((done) => {
+        reading.value = done;
+      }),
+    [reading],
+  );
 
   useEffect(() => dialog.current?.showModal(), []);
+  useEffect(() => () => reader.stop(), [reader]);
 
-  const show = (found: Found, name: string, preview: ImageBitmap | null = null) => {
-    browsing.value = false;
+  const empty = () => {
+    draft.peek()?.preview?.close();
+    draft.value = null;
+    result.value = null;
+    saved.value = null;
     problem.value = null;
-    saved.value = found.kind === "saved" ? decodeRecord(found.content) : null;
-    draft.value = found.kind === "saved" ? null : begun(found, name, preview);
+    reading.value = null;
   };
   const refuse = (error: unknown) => {
-    draft.value = null;
-    saved.value = null;
+    empty();
     problem.value = error instanceof Error ? error.message : String(error);
   };
-
+  /** The next press of its button tries again. */
+  const withoutGallery = (error: unknown) => {
+    browsing.value = false;
+    refuse(error);
+  };
+  /** Computes the shape under the draft's wishes. Until it is there, what was shown stays. */
+  const change = (next: Draft) => {
+    draft.value = next;
+    const outcome = reader.prepare(selectionOf(next));
+    pending.current = outcome;
+    outcome.then(
+      (prepared) => {
+        if (pending.current === outcome) result.value = prepared;
+      },
+      (error) => pending.current === outcome && refuse(error),
+    );
+  };
+  const show = (read: Read, name: string) => {
+    empty();
+    browsing.value = false;
+    if (read.kind === "saved") saved.value = decodeRecord(read.content);
+    else change(begun(read.offer, name, read.preview));
+  };
   // One input after another may arrive while the dialog is open; the last one counts.
+  const read = (input: Blob | string | FoundShapes, name: string, isWanted: () => boolean) => {
+    empty();
+    reading.value = 0;
+    reader
+      .read(input)
+      .then((found) => isWanted() && show(found, name))
+      .catch((error) => isWanted() && refuse(error));
+  };
+  const take = async (target: Side) => {
+    const outcome = await pending.current;
+    if (!outcome?.prepared) return;
+    session.commitShape(target, outcome.prepared.shape);
+    close();
+  };
+
   useSignalEffect(() => {
     const request = importing.value;
     if (!request || request.input === null) return;
     const { input } = request;
-    problem.value = null;
-    if (typeof input === "string") {
-      try {
-        show(readText(input), "the pasted text");
-      } catch (error) {
-        refuse(error);
-      }
-      return;
-    }
-    reading.value = true;
-    readFile(input)
-      .then((found) => {
-        if (importing.value !== request) return;
-        show(found, input instanceof File ? input.name : "the picture", found.preview ?? null);
-      })
-      .catch((error) => {
-        if (importing.value === request) refuse(error);
-      })
-      .finally(() => {
-        if (importing.value === request) reading.value = false;
-      });
+    const name = typeof input === "string" ? "the pasted text" : input instanceof File ? input.name : "the picture";
+    read(input, name, () => importing.value === request);
   });
 
   // What was pressed in the gallery is gone with it: go on at the next step.
   const source = draft.value?.source;
+  const ready = result.value !== null;
   useEffect(() => {
-    if (source !== undefined && document.activeElement === document.body) primary.current?.focus();
-  }, [source]);
+    if (source !== undefined && ready && document.activeElement === document.body) primary.current?.focus();
+  }, [source, ready]);
 
   const side = importing.value?.side ?? "reference";
-  const read = (input: Blob | string | null) => {
+  const wish = (input: Blob | string | null) => {
     if (input) importing.value = { side, input };
   };
-  const close = () => dialog.current?.close();
-  const result: Outcome | null = draft.value && outcome(draft.value);
-  const take = (target: Side) => {
-    if (!result?.prepared) return;
-    session.commitShape(target, result.prepared.shape);
-    close();
+  const known = (found: FoundShapes, name: string) => {
+    const request = importing.value;
+    read(found, name, () => importing.value === request);
   };
+  const close = () => dialog.current?.close();
 
   return (
     <dialog
@@ -99,15 +133,23 @@ export function ImportDialog({ session }: { session: Session }) {
           Close
         </button>
       </header>
-      <Sources onInput={read} browsing={browsing.value} onBrowse={() => (browsing.value = !browsing.value)} />
+      <Sources onInput={wish} browsing={browsing.value} onBrowse={() => (browsing.value = !browsing.value)} />
       <div role="alert">{problem.value && <p class="refusal">{problem.value}</p>}</div>
-      {reading.value && <p role="status">Reading …</p>}
-      {browsing.value && <Gallery onChoose={show} onProblem={refuse} />}
-      {!browsing.value && draft.value && result && (
+      {(reading.value !== null || (draft.value && !result.value)) && (
+        <Reading
+          done={reading.value}
+          onStop={() => {
+            reader.stop();
+            empty();
+          }}
+        />
+      )}
+      {browsing.value && <Gallery onChoose={known} onProblem={withoutGallery} />}
+      {!browsing.value && draft.value && result.value && (
         <>
           <div class="look">
-            <ImportPreview draft={draft.value} result={result} side={side} />
-            <ImportOptions draft={draft.value} result={result} onChange={(next) => (draft.value = next)} />
+            <ImportPreview draft={draft.value} result={result.value} side={side} />
+            <ImportOptions draft={draft.value} result={result.value} onChange={change} />
           </div>
           <footer>
             {[side, ...SIDES.filter((other) => other !== side)].map((target) => (
@@ -116,7 +158,7 @@ export function ImportDialog({ session }: { session: Session }) {
                 ref={target === side ? primary : undefined}
                 type="button"
                 class={target === side ? "primary" : undefined}
-                disabled={!result.prepared}
+                disabled={!result.value?.prepared}
                 onClick={() => take(target)}
               >
                 Use as {target}
@@ -133,7 +175,7 @@ export function ImportDialog({ session }: { session: Session }) {
             close();
           }}
           onShape={(name, loops) =>
-            show(
+            known(
               { kind: "shapes", choices: [{ name, loops, placed: true, mainPart: false, smoothing: 0 }], notes: [] },
               name,
             )
@@ -141,6 +183,20 @@ export function ImportDialog({ session }: { session: Session }) {
         />
       )}
     </dialog>
+  );
+}
+
+/** How far it is, and the way out: a drawing can take seconds. */
+function Reading({ done, onStop }: { readonly done: number | null; readonly onStop: () => void }) {
+  const percent = Math.round(100 * (done ?? 0));
+  return (
+    <div class="reading">
+      <p role="status">{done === null ? "Preparing the shape …" : "Reading …"}</p>
+      <progress aria-label="Import" max={100} value={percent > 0 ? percent : undefined} />
+      <button type="button" onClick={onStop}>
+        Stop
+      </button>
+    </div>
   );
 }
 

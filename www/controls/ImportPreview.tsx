@@ -1,8 +1,9 @@
 import { effect, useSignal } from "@preact/signals";
 import { useEffect, useId, useRef } from "preact/hooks";
 import type { Side } from "../session";
+import type { Outcome } from "../shapes/import/content";
 import { pixelX, pixelY, Surface, trace } from "../view/canvas";
-import { type Draft, type Outcome, withChoice } from "./importDraft";
+import { type Draft, withChoice } from "./importDraft";
 
 type PreviewProps = { readonly draft: Draft; readonly result: Outcome; readonly side: Side };
 
@@ -122,7 +123,7 @@ export function ImportOptions({ draft, result, onChange }: OptionsProps) {
       )}
       <div class="notes" aria-live="polite">
         {result.problem ? <p class="refusal">{result.problem}</p> : <p>{words(result)}</p>}
-        {result.notes.map((note) => (
+        {[...draft.notes, ...result.notes].map((note) => (
           <p key={note}>{note}</p>
         ))}
       </div>

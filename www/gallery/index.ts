@@ -4,12 +4,18 @@
  */
 
 import countries from "virtual:countries";
-import type { Found } from "../shapes/import/found";
+import { prepared } from "../shapes/import/fit";
+import type { FoundShapes } from "../shapes/import/found";
 import { readGeoJson } from "../shapes/import/geojson";
 import { readSvg } from "../shapes/import/svg";
 import { ICONS } from "./icons";
 
-export type Silhouette = { readonly name: string; readonly found: Found };
+export type Silhouette = {
+  readonly name: string;
+  readonly found: FoundShapes;
+  /** As path data for a small picture: where the import puts it in the box, y down. */
+  readonly path: string;
+};
 
 export type Collection = {
   readonly title: string;
@@ -27,7 +33,7 @@ export function collections(): readonly Collection[] {
       source: "Phosphor Icons",
       address: "https://phosphoricons.com",
       licence: "MIT licence",
-      silhouettes: ICONS.map(({ name, svg }) => ({ name, found: readSvg(svg) })),
+      silhouettes: ICONS.map(({ name, svg }) => silhouette(name, readSvg(svg))),
     },
     {
       title: "Countries",
@@ -35,7 +41,27 @@ export function collections(): readonly Collection[] {
       address: "https://www.naturalearthdata.com",
       licence: "public domain; world-atlas: ISC licence",
       // Mainland only; “All parts” brings the islands.
-      silhouettes: features.map((feature) => ({ name: feature.properties.name, found: readGeoJson(feature, true) })),
+      silhouettes: features.map((feature) => silhouette(feature.properties.name, readGeoJson(feature, true))),
     },
   ];
+}
+
+function silhouette(name: string, found: FoundShapes): Silhouette {
+  const [choice] = found.choices;
+  const { shape } = prepared(choice.loops, {
+    parts: choice.mainPart ? "largest" : "all",
+    holes: "keep",
+    placement: "fit",
+    smoothing: choice.smoothing,
+  });
+  const path = shape
+    .map((loop) => {
+      let text = "";
+      for (let i = 0; i < loop.length; i += 4) {
+        text += `${i === 0 ? "M" : "L"}${loop[i].toFixed(3)} ${(1 - loop[i + 1]).toFixed(3)}`;
+      }
+      return `${text}Z`;
+    })
+    .join("");
+  return { name, found, path };
 }

@@ -60,7 +60,7 @@ test("a thousand points become at most six hundred, nowhere further off than the
 
 test("corners stay to the bit", () => {
   const square = divided(Float64Array.of(0.2, 0.2, 0.8, 0.2, 0.8, 0.8, 0.2, 0.8), 0.001);
-  expect([...thinned(square, 1e-9)]).toEqual([0.2, 0.2, 0.8, 0.2, 0.8, 0.8, 0.2, 0.8]);
+  expect([...thinned(square, 1e-9).points]).toEqual([0.2, 0.2, 0.8, 0.2, 0.8, 0.8, 0.2, 0.8]);
 });
 
 test("shapes that lie in the box already can stay where they are", () => {
@@ -116,4 +116,26 @@ test("a neck thinner than the smoothing leaves loops that do not cross", () => {
   const again = united([{ loops: shape, rule: "evenodd" }]);
   const area = (loops: Shape) => loops.reduce((sum, loop) => sum + signedArea(loop), 0);
   expect(area(again)).toBeCloseTo(area(shape), 5);
+});
+
+test("a comb with more corners than a loop may have comes to an end, with as many as it may", () => {
+  const teeth = 220;
+  const comb = [0, 0];
+  for (let tooth = 0; tooth < teeth; tooth += 1) {
+    comb.push(tooth + 0.5, 0, tooth + 0.5, 40, tooth + 1, 40, tooth + 1, 0);
+  }
+  comb.push(teeth, -1e-3, 0, -1e-3);
+  const { shape, notes } = prepared([Float64Array.from(comb)], FIT);
+  expect(shape).toHaveLength(1);
+  expect(shape[0].length / 2).toBeLessThanOrEqual(MOST_POINTS);
+  expect(notes.join(" ")).toContain("cells are smoothed away");
+});
+
+test("of hundreds of loops the largest are taken, their holes filled or not", () => {
+  const many = Array.from({ length: 900 }, (_, i) => polar(() => 0.3 + (i % 7) / 50, 8, i % 30, Math.floor(i / 30)));
+  for (const holes of ["keep", "fill"] as const) {
+    const { shape, notes } = prepared(many, { ...FIT, holes, parts: "all" });
+    expect(shape).toHaveLength(60);
+    expect(notes.join(" ")).toContain("Of 900 loops the 60 largest are taken.");
+  }
 });

@@ -27,8 +27,14 @@ const PIECES = MOST_POINTS - MOST_CORNERS;
 /** Smaller loops than these stay out, the largest first. */
 const MOST_LOOPS = 60;
 
+/** Which loop lies in which is asked of each pair: of the largest only. */
+const MOST_ASKED = 240;
+
 /** A thousandth of a cell: nobody sees it, and no energy feels it. */
 const FINEST = CELL / 1000;
+
+/** Points that a loop is rounded with, at most; a curve as long as two hundred boxes has as many. */
+const MOST_EVEN = 50_000;
 
 export type Placement = "fit" | "asIs";
 
@@ -49,7 +55,7 @@ export type Wishes = {
 
 /** Throws when nothing is left that a grid could see. */
 export function prepared(loops: Shape, { parts, holes, placement, smoothing }: Wishes): Prepared {
-  const chosen = chosenParts(loops, parts, holes);
+  const chosen = chosenParts(largest(loops, MOST_ASKED), parts, holes);
   let box = placement === "fit" ? centring(chosen) : IN_PLACE;
   let shape: Shape = transformed(chosen, box).filter(isSizeable);
   const specks = chosen.length - shape.length;
@@ -66,8 +72,9 @@ export function prepared(loops: Shape, { parts, holes, placement, smoothing }: W
   if (specks > 0)
     notes.push(`${counted(specks, "speck")} smaller than a cell ${specks === 1 ? "is" : "are"} left out.`);
   if (shape.length > MOST_LOOPS) {
-    notes.push(`Of ${shape.length} loops the ${MOST_LOOPS} largest are taken.`);
-    shape = [...shape].sort((a, b) => Math.abs(signedArea(b)) - Math.abs(signedArea(a))).slice(0, MOST_LOOPS);
+    const before = loops.length > MOST_ASKED ? loops.length : shape.length;
+    notes.push(`Of ${before} loops the ${MOST_LOOPS} largest are taken.`);
+    shape = largest(shape, MOST_LOOPS);
   }
   if (smoothing > 0) {
     // Where a neck is thinner than that, its two sides may come to cross.
@@ -100,7 +107,7 @@ function centring(shape: Shape): Similarity {
  * [1 2 1] / 4 on points a step s apart have the variance k s² / 2.
  */
 export function rounded(loop: Loop, width: number): Loop {
-  const count = Math.max(16, Math.ceil(perimeter(loop) / Math.min(width / 2, CELL / 2)));
+  const count = Math.min(MOST_EVEN, Math.max(16, Math.ceil(perimeter(loop) / Math.min(width / 2, CELL / 2))));
   const step = perimeter(loop) / count;
   const rounds = Math.round(2 * (width / step) ** 2);
   let current = resampled(loop, count);
@@ -118,6 +125,13 @@ function isSizeable(loop: Loop): boolean {
   );
 }
 
+/** At most so many loops, those that enclose most. */
+function largest(shape: Shape, most: number): Shape {
+  if (shape.length <= most) return shape;
+  const size = (loop: Loop) => Math.abs(signedArea(loop));
+  return [...shape].sort((a, b) => size(b) - size(a)).slice(0, most);
+}
+
 function counted(count: number, noun: string): string {
   return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
@@ -127,19 +141,23 @@ function counted(count: number, noun: string): string {
  * corners; then long edges are divided, so that pulling the curve finds points everywhere.
  */
 export function simplified(loop: Loop): { readonly points: Loop; readonly tolerance: number } {
-  let tolerance = FINEST;
-  let points = thinned(loop, tolerance);
-  while (points.length / 2 > MOST_CORNERS) {
-    tolerance *= 1.5;
-    points = thinned(loop, tolerance);
-  }
+  const { points, tolerance } = thinned(loop, FINEST, MOST_CORNERS);
   return { points: divided(points, perimeter(points) / PIECES), tolerance };
 }
 
-/** Douglas–Peucker on the closed loop: leaves out points that lie within `tolerance` of the chord over them. */
-export function thinned(loop: Loop, tolerance: number): Loop {
+type Span = { readonly from: number; readonly to: number; readonly far: number; readonly off: number };
+
+/**
+ * Douglas–Peucker on the closed loop: takes points, the furthest from the chords so far first, until all others lie
+ * within `tolerance` of one, or `most` are taken; then `tolerance` of the result says how far off the others are.
+ */
+export function thinned(
+  loop: Loop,
+  tolerance: number,
+  most = Number.POSITIVE_INFINITY,
+): { readonly points: Loop; readonly tolerance: number } {
   const n = loop.length / 2;
-  if (n <= 4) return loop;
+  if (n <= 4) return { points: loop, tolerance };
   const keep = new Uint8Array(n);
   // Two points that surely stay cut the loop open: one at an extreme, and the one furthest from it.
   let first = 0;
@@ -155,28 +173,37 @@ export function thinned(loop: Loop, tolerance: number): Loop {
   }
   keep[first] = 1;
   keep[second] = 1;
-  const open: [number, number][] = [
-    [first, second > first ? second : second + n],
-    [second > first ? second : second + n, first + (second > first ? n : 2 * n)],
-  ];
-  for (let span = open.pop(); span; span = open.pop()) {
-    const [from, to] = span;
-    let far = -1;
-    let worst = tolerance;
-    for (let k = from + 1; k < to; k += 1) {
-      const distance = fromChord(loop, k % n, from % n, to % n);
-      if (distance > worst) {
-        worst = distance;
-        far = k;
-      }
-    }
-    if (far < 0) continue;
+  let kept = 2;
+  const middle = second > first ? second : second + n;
+  const open = [spanned(loop, first, middle), spanned(loop, middle, first + n)];
+  // A closed curve has three points at least, however near they are.
+  while (kept < most) {
+    let worst = 0;
+    for (let k = 1; k < open.length; k += 1) if (open[k].off > open[worst].off) worst = k;
+    const { from, to, far, off } = open[worst];
+    if (far < 0 || (off <= tolerance && kept >= 3)) break;
     keep[far % n] = 1;
-    open.push([from, far], [far, to]);
+    kept += 1;
+    open.splice(worst, 1, spanned(loop, from, far), spanned(loop, far, to));
   }
   const out: number[] = [];
   for (let i = 0; i < n; i += 1) if (keep[i]) out.push(loop[2 * i], loop[2 * i + 1]);
-  return out.length >= 6 ? Float64Array.from(out) : loop;
+  return { points: Float64Array.from(out), tolerance: Math.max(tolerance, ...open.map(({ off }) => off)) };
+}
+
+/** The points from one index to another, counted on beyond the end, with the one furthest from the chord. */
+function spanned(loop: Loop, from: number, to: number): Span {
+  const n = loop.length / 2;
+  let far = -1;
+  let off = -1;
+  for (let k = from + 1; k < to; k += 1) {
+    const distance = fromChord(loop, k % n, from % n, to % n);
+    if (distance > off) {
+      off = distance;
+      far = k;
+    }
+  }
+  return { from, to, far, off };
 }
 
 function fromChord(loop: Loop, k: number, a: number, b: number): number {

@@ -26,8 +26,14 @@ export type Picture = {
   readonly borderIsInk: boolean;
 };
 
+export type FoundShapes = {
+  readonly kind: "shapes";
+  readonly choices: readonly Choice[];
+  readonly notes: readonly string[];
+};
+
 export type Found =
-  | { readonly kind: "shapes"; readonly choices: readonly Choice[]; readonly notes: readonly string[] }
+  | FoundShapes
   | { readonly kind: "picture"; readonly picture: Picture; readonly notes: readonly string[] }
   /** JSON that this page has saved: to be read by whoever knows about matches. */
   | { readonly kind: "saved"; readonly content: unknown };

@@ -5,7 +5,7 @@
  */
 
 import type { Loop } from "../geometry";
-import { type Choice, type Found, ImportError } from "./found";
+import { type Choice, type FoundShapes, ImportError } from "./found";
 import { shapeFromLoops } from "./loops";
 
 /** The smoothing that coasts begin with, in cells. */
@@ -25,7 +25,7 @@ export function isGeoJson(value: unknown): value is Json {
 }
 
 /** `mainPart` asks for each feature's largest part, unless the reader says otherwise. */
-export function readGeoJson(content: Json, mainPart = false): Found {
+export function readGeoJson(content: Json, mainPart = false): FoundShapes {
   const features = content.type === "FeatureCollection" ? list(content.features, "features") : [content];
   const choices: Choice[] = [];
   features.forEach((feature, index) => {

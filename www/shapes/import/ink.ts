@@ -61,7 +61,7 @@ export function otsu(values: Uint8Array): number {
 }
 
 /** One round of [1 2 1] / 4 in either direction: takes the steps out of pictures without grey, and single pixels. */
-function blurred(values: Uint8Array, width: number, height: number): Uint8Array {
+export function blurred(values: Uint8Array, width: number, height: number): Uint8Array {
   const pass = (from: Uint8Array, stride: number, length: number, lines: number, between: number) => {
     const out = new Uint8Array(from.length);
     for (let line = 0; line < lines; line += 1) {

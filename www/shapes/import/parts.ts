@@ -1,6 +1,6 @@
 /** Which parts of a shape are taken: all or the largest, with holes or filled. */
 
-import { type Loop, type Shape, signedArea, winding } from "../geometry";
+import { bounds, type Loop, type Shape, signedArea, winding } from "../geometry";
 
 export type Parts = "all" | "largest";
 export type Holes = "keep" | "fill";
@@ -31,12 +31,15 @@ function withHoles(shape: Shape, body: Loop): Shape {
 
 /** Whether the loop lies inside the other, asked at most of its points: outlines may touch in some. */
 function encloses(outer: Loop, loop: Loop): boolean {
+  const box = bounds([outer]);
   let inside = 0;
   const step = 2 * Math.max(1, Math.floor(loop.length / 2 / 16));
   let asked = 0;
   for (let i = 0; i < loop.length; i += step) {
     asked += 1;
-    if (winding([outer], { x: loop[i], y: loop[i + 1] }) !== 0) inside += 1;
+    const point = { x: loop[i], y: loop[i + 1] };
+    const near = box && point.x >= box.left && point.x <= box.right && point.y >= box.bottom && point.y <= box.top;
+    if (near && winding([outer], point) !== 0) inside += 1;
   }
   return 2 * inside > asked;
 }

@@ -27,24 +27,80 @@ export const START: Style = {
   rule: "nonzero",
 };
 
-type Rule = { readonly selector: string; readonly declarations: Declarations };
+export type Rule = { readonly selector: string; readonly declarations: Declarations };
 
 const PROPERTIES = ["fill", "stroke", "fill-rule", "display", "visibility"];
 
-/** The rules of the drawing's style elements. A constructed sheet loads nothing, not even what it imports. */
-export function styleRules(drawing: Document): readonly Rule[] {
+/** What style elements and style attributes are called in the drawing that is read. */
+export const INERT_STYLE = "inert-style";
+
+/** Rules asked of each element, at most, and letters of a selector: the browser compares each with each. */
+const MOST_RULES = 400;
+const LONGEST_SELECTOR = 300;
+
+/** The rules of the drawing's style elements. Null where they are more than this page takes. */
+export function styleRules(drawing: Document): readonly Rule[] | null {
   const rules: Rule[] = [];
-  for (const element of drawing.querySelectorAll("style")) {
-    const sheet = new CSSStyleSheet();
-    // It would leave out imports by itself, but complain about them on the console.
-    sheet.replaceSync((element.textContent ?? "").replace(/@import[^;]*;/gi, ""));
-    for (const rule of sheet.cssRules) {
-      if (rule instanceof CSSStyleRule) {
-        rules.push({ selector: rule.selectorText, declarations: listed(rule.style.cssText) });
-      }
+  for (const element of drawing.querySelectorAll(INERT_STYLE)) {
+    for (const { selector, body } of blocks(element.textContent ?? "")) {
+      if (isSelector(drawing, selector)) rules.push({ selector, declarations: listed(body) });
     }
   }
-  return rules;
+  return rules.length <= MOST_RULES ? rules : null;
+}
+
+type Block = { readonly selector: string; readonly body: string };
+
+/**
+ * The blocks of a style sheet with their selectors, those at the outermost level only: what is nested, or within an
+ * at-rule, is for other media and states. One pass over the text, however deep it is nested.
+ */
+export function blocks(text: string): Block[] {
+  const found: Block[] = [];
+  const plain = withoutComments(text);
+  let depth = 0;
+  // Where the selector began, its block, what of the block has not been taken yet, and its last whole declaration.
+  let [begin, open, told, whole] = [0, 0, 0, 0];
+  let body = "";
+  for (let i = 0; i < plain.length; i += 1) {
+    const letter = plain[i];
+    if (letter === '"' || letter === "'") {
+      const end = plain.indexOf(letter, i + 1);
+      if (end < 0) break;
+      i = end;
+    } else if (letter === "{") {
+      if (depth === 0) {
+        open = i;
+        told = i + 1;
+        whole = told;
+        body = "";
+      } else if (depth === 1) body += plain.slice(told, Math.max(told, whole));
+      depth += 1;
+    } else if (letter === "}" && depth > 0) {
+      depth -= 1;
+      if (depth === 1) told = i + 1;
+      if (depth === 0) {
+        found.push({ selector: plain.slice(begin, open).trim(), body: body + plain.slice(told, i) });
+        begin = i + 1;
+      }
+    } else if (letter === ";" && depth === 0) begin = i + 1;
+    else if (letter === ";" && depth === 1) whole = i + 1;
+  }
+  // What is left open at the end is closed by it.
+  if (depth > 0)
+    found.push({ selector: plain.slice(begin, open).trim(), body: body + (depth === 1 ? plain.slice(told) : "") });
+  return found.filter(({ selector }) => selector !== "" && !selector.startsWith("@"));
+}
+
+/** Selectors that ask about other elements' insides could take for ever; nobody draws with them. */
+function isSelector(drawing: Document, selector: string): boolean {
+  if (selector.length > LONGEST_SELECTOR || /:(has|nth-)/i.test(selector)) return false;
+  try {
+    drawing.documentElement.matches(selector);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 /** Presentation attributes, then style rules in their order, then the element's own style: later ones win. */
@@ -57,7 +113,7 @@ export function declarationsFrom(element: Element, rules: readonly Rule[]): Decl
   for (const { selector, declarations } of rules) {
     if (element.matches(selector)) Object.assign(out, declarations);
   }
-  return Object.assign(out, listed(element.getAttribute("style") ?? ""));
+  return Object.assign(out, listed(element.getAttribute(INERT_STYLE) ?? ""));
 }
 
 export function declared(declarations: Declarations, name: string): string | null {
@@ -86,11 +142,23 @@ export function inherited(parent: Style, declarations: Declarations): Style {
 
 function listed(text: string): Declarations {
   const out: Record<string, string> = {};
-  for (const part of text.replace(/\/\*.*?\*\//gs, "").split(";")) {
+  for (const part of withoutComments(text).split(";")) {
     const colon = part.indexOf(":");
     if (colon < 0) continue;
-    const value = part.slice(colon + 1).replace(/!important\s*$/i, "");
+    const value = part.slice(colon + 1).split("!")[0];
     out[part.slice(0, colon).trim().toLowerCase()] = value.trim();
   }
   return out;
+}
+
+function withoutComments(text: string): string {
+  let out = "";
+  let from = 0;
+  for (let begin = text.indexOf("/*"); begin >= 0; begin = text.indexOf("/*", from)) {
+    out += text.slice(from, begin);
+    const end = text.indexOf("*/", begin + 2);
+    if (end < 0) return out;
+    from = end + 2;
+  }
+  return out + text.slice(from);
 }

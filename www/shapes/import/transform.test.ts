@@ -42,3 +42,13 @@ test("lengths have the units of CSS", () => {
   expect(pixels("50%")).toBeNull();
   expect(pixels("auto")).toBeNull();
 });
+
+test.each([
+  ["letters", "a".repeat(1_000_000)],
+  ["spaces", `${" ".repeat(1_000_000)}x`],
+  ["digits", `scale(${"1".repeat(1_000_000)})`],
+  ["words without an end", "rotate(30 ".repeat(100_000)],
+])("a million %s are refused after one look at each", (_, text) => {
+  // Looked at anew from every letter, they would take the rest of the day: the test would not end.
+  expect(() => parseTransform(text)).toThrow(/transform “.{1,61}” cannot be read/s);
+});

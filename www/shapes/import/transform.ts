@@ -21,8 +21,12 @@ export function applied([a, b, c, d, e, f]: Matrix, x: number, y: number): reado
 const DEGREES: Record<string, number> = { "": 1, deg: 1, rad: 180 / Math.PI, grad: 0.9, turn: 360 };
 const PIXELS: Record<string, number> = { "": 1, px: 1, pt: 4 / 3, pc: 16, in: 96, cm: 96 / 2.54, mm: 9.6 / 2.54 };
 
+/** No number that anybody means has more letters. */
+const LONGEST = 100;
+
 /** A length in user units, or null for what is none: `auto`, percentages, units relative to a font. */
 export function pixels(text: string): number | null {
+  if (text.length > LONGEST) return null;
   const match = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)([a-z]*)\s*$/i.exec(text);
   const factor = match && PIXELS[match[2].toLowerCase()];
   return match && factor !== undefined ? Number(match[1]) * Number(factor) : null;
@@ -31,14 +35,22 @@ export function pixels(text: string): number | null {
 /** With its unit; commas between numbers may be missing where a sign or a point makes them plain. */
 const NUMBER = /[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?[a-z%]*/gi;
 
+/** One transform of a list; from where the last ended, so that what is none is found out at once. */
+const TRANSFORM = /\s*([a-z0-9]+)\s*\(([^)]*)\)[\s,]*/iy;
+
 /** The matrix of a list such as `translate(3 4) rotate(45)`; the last in the list acts first. Throws on unknown words. */
 export function parseTransform(text: string): Matrix {
+  if (text.trim() === "none") return IDENTITY;
   let matrix = IDENTITY;
-  const rest = text.replace(/([a-z0-9]+)\s*\(([^)]*)\)[\s,]*/gi, (_, name: string, list: string) => {
-    matrix = compose(matrix, single(name, list, text));
-    return "";
-  });
-  if (rest.trim() !== "" && rest.trim() !== "none") throw unreadable(text);
+  TRANSFORM.lastIndex = 0;
+  for (let end = 0; end < text.length; end = TRANSFORM.lastIndex) {
+    const found = TRANSFORM.exec(text);
+    if (!found) {
+      if (text.slice(end).trim() === "") break;
+      throw unreadable(text);
+    }
+    matrix = compose(matrix, single(found[1], found[2], text));
+  }
   return matrix;
 }
 
@@ -51,7 +63,7 @@ function single(name: string, list: string, text: string): Matrix {
     return value;
   };
   const angle = (i: number) => {
-    const match = /^([+-]?[\d.]+(?:e[+-]?\d+)?)([a-z]*)$/i.exec(words[i]);
+    const match = words[i].length <= LONGEST && /^([+-]?[\d.]+(?:e[+-]?\d+)?)([a-z]*)$/i.exec(words[i]);
     const unit = match && DEGREES[match[2].toLowerCase()];
     if (!match || !unit) throw unreadable(text);
     return (Number(match[1]) * unit * Math.PI) / 180;

@@ -1,12 +1,15 @@
 import { expect, test } from "vitest";
-import { decodeRecord, encodeRecord, type MatchRecord } from "./record";
+import { decodeRecord, encodeRecord, type MatchRecord, type SavedMatch } from "./record";
 import { PRESETS } from "./shapes/presets";
 
 const [{ reference, template }] = PRESETS;
 
-/** The identity on level 2, slightly off, with its report. */
+/** The identity on level 2, moved and slightly off, with its report. */
 function record(): MatchRecord {
-  const deformation = Float64Array.from({ length: 50 }, (_, i) => Math.sin(i) / 3);
+  const deformation = Float64Array.from(
+    { length: 50 },
+    (_, i) => (i % 2 === 0 ? (i >> 1) % 5 : Math.floor(i / 10)) / 4 + Math.sin(i) / 30,
+  );
   const moved = reference.map((loop) => loop.map((value) => value + 0.1 / 3));
   return {
     reference,
@@ -23,6 +26,9 @@ function record(): MatchRecord {
         leastDeterminant: 0.25,
         mismatch: { mean: 0.01, max: 0.1 },
         stretch: { mean: 1, deviation: 0 },
+        cover: { mean: 0.01, max: 0.1 },
+        measure: 1,
+        approach: "matching directly",
       },
       deformation,
       curves: { reference: [...reference], template: [...template], matched: [...moved] },
@@ -46,6 +52,36 @@ test("settings are written out in full, so that other defaults change nothing", 
 });
 
 type Json = Record<string, unknown>;
+
+function reportOf(file: Json): Json {
+  return (file.match as Json).report as Json;
+}
+
+test("a match whose curve the grid does not see is read again, its distances still undefined", () => {
+  const written = record();
+  const match = written.match as SavedMatch;
+  const undefinedThere = {
+    ...match,
+    status: {
+      ...match.status,
+      mismatch: { mean: Number.NaN, max: Number.NaN },
+      stretch: { mean: Number.NaN, deviation: Number.NaN },
+    },
+    curves: { reference: [], template: [], matched: [] },
+  };
+  expect(decodeRecord(JSON.parse(encodeRecord({ ...written, match: undefinedThere }))).match).toEqual(undefinedThere);
+});
+
+test.each<[string, (match: SavedMatch) => void]>([
+  ["an energy without end", ({ status }) => Object.assign(status.energies, { total: Number.POSITIVE_INFINITY })],
+  ["a node that is nowhere", ({ deformation }) => deformation.set([Number.NaN], 3)],
+  ["a fold", ({ deformation }) => deformation.set([3, 3], 24)],
+  ["no area at all", ({ status }) => Object.assign(status, { leastDeterminant: 0 })],
+])("a match with %s is written as its shapes and settings, which are read again", (_, spoil) => {
+  const written = record();
+  spoil(written.match as SavedMatch);
+  expect(decodeRecord(JSON.parse(encodeRecord(written)))).toEqual({ ...written, match: null });
+});
 
 test.each<[string, (file: Json) => void, RegExp]>([
   ["of another version", (file) => Object.assign(file, { version: 2 }), /version 2; this page reads version 1/],
@@ -82,6 +118,44 @@ test.each<[string, (file: Json) => void, RegExp]>([
     "with curves that do not belong together",
     (file) => Object.assign((file.match as Json).curves as Json, { matched: [] }),
     /matched curves have not the points/,
+  ],
+  [
+    "of a level that is none",
+    (file) => Object.assign(reportOf(file), { level: -2000 }),
+    /match.report.level is -2000, which no match has/,
+  ],
+  ["of half a level", (file) => Object.assign(reportOf(file), { level: 2.5 }), /level is 2.5, which no match has/],
+  ["of a level without end", (file) => Object.assign(reportOf(file), { level: 1e9 }), /which no match has/],
+  ["of a folded plane", (file) => Object.assign(reportOf(file), { leastDeterminant: -0.1 }), /folds the plane/],
+  [
+    "of a plane folded without saying so",
+    (file) => {
+      const { deformation } = file.match as { deformation: number[] };
+      [deformation[24], deformation[25]] = [3, 3];
+    },
+    /folds the plane/,
+  ],
+  [
+    "with a node that is nowhere",
+    (file) => {
+      (file.match as { deformation: (number | null)[] }).deformation[7] = null;
+    },
+    /match.deformation\[7\] is no number/,
+  ],
+  [
+    "with an energy that is none",
+    (file) => Object.assign(reportOf(file).energies as Json, { total: null }),
+    /match.report.energies.total is no number/,
+  ],
+  [
+    "with a distance in words",
+    (file) => Object.assign(reportOf(file).mismatch as Json, { max: "NaN" }),
+    /match.report.mismatch.max is no number/,
+  ],
+  [
+    "with points in space",
+    (file) => (file.reference as { loops: number[][][] }).loops[0][0].push(0),
+    /reference, loop 1, point 1 has more than two numbers/,
   ],
 ])("a file %s is refused with a reason", (_, damage, message) => {
   const file = JSON.parse(encodeRecord(record()));

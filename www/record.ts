@@ -30,15 +30,19 @@ export function encodeRecord({ reference, template, settings, match }: MatchReco
     template: { loops: template.map(pairs) },
     // Defaults as well: another version of the page may have others.
     settings: Object.fromEntries(FIELDS.map((field) => [field.name, settings[field.name] ?? field.initial])),
-    match: match && {
-      report: match.status,
-      deformation: [...match.deformation],
-      curves: {
-        reference: match.curves.reference.map(pairs),
-        template: match.curves.template.map(pairs),
-        matched: match.curves.matched.map(pairs),
-      },
-    },
+    // What could not be read again is no result: its shapes and settings are enough to start it again.
+    match:
+      match !== null && isSound(match)
+        ? {
+            report: match.status,
+            deformation: [...match.deformation],
+            curves: {
+              reference: match.curves.reference.map(pairs),
+              template: match.curves.template.map(pairs),
+              matched: match.curves.matched.map(pairs),
+            },
+          }
+        : null,
   });
 }
 
@@ -60,42 +64,93 @@ export function decodeRecord(content: unknown): MatchRecord {
   return { reference, template, settings, match: record.match === null ? null : savedMatch(record.match) };
 }
 
-const NUMBERS = ["level", "iteration", "evaluations", "leastDeterminant"];
-const GROUPS = {
-  energies: ["membrane", "bending", "mismatch", "volume", "total"],
-  mismatch: ["mean", "max"],
-  stretch: ["mean", "deviation"],
-};
+const ENERGIES = ["membrane", "bending", "mismatch", "volume", "total"];
+/** What is measured on the curves: null where the grid does not see them. */
+const MEASURES = { mismatch: ["mean", "max"], cover: ["mean", "max"], stretch: ["mean", "deviation"] };
+
+/** A grid of 1025² nodes: no page computes finer ones, and a file of one has 50 MB. */
+const FINEST = 10;
 
 function savedMatch(content: unknown): SavedMatch {
   const match = object(content, "match");
   const report = object(match.report, "match.report");
-  for (const name of NUMBERS) number(report[name], `match.report.${name}`);
-  for (const [group, names] of Object.entries(GROUPS)) {
+  const level = whole(report.level, "match.report.level", FINEST);
+  for (const name of ["iteration", "evaluations"]) whole(report[name], `match.report.${name}`);
+  const energies = object(report.energies, "match.report.energies");
+  for (const name of ENERGIES) number(energies[name], `match.report.energies.${name}`);
+  // Files of before the cover was measured have none.
+  const given = Object.entries(MEASURES).filter(([group]) => group in report || group !== "cover");
+  const measured = given.map(([group, names]) => {
     const values = object(report[group], `match.report.${group}`);
-    for (const name of names) number(values[name], `match.report.${group}.${name}`);
-  }
-  const status = { ...(report as unknown as Status), finished: true };
+    return [group, { ...values, ...named(names, (name) => measure(values[name], `match.report.${group}.${name}`)) }];
+  });
+  if (report.measure === null) report.measure = Number.NaN;
+  const stop = typeof report.stop === "string" ? report.stop : null;
+  const status = { ...(report as unknown as Status), ...Object.fromEntries(measured), stop, finished: true };
   const deformation = Float64Array.from(list(match.deformation, "match.deformation"), (value, i) =>
     number(value, `match.deformation[${i}]`),
   );
-  const side = 2 ** status.level + 1;
+  const side = 2 ** level + 1;
   if (deformation.length !== 2 * side * side) {
     throw new Error(
-      `The deformation has ${deformation.length} numbers, but level ${status.level} needs ${2 * side * side}; save it again.`,
+      `The deformation has ${deformation.length} numbers, but level ${level} needs ${2 * side * side}; save it again.`,
     );
   }
-  const given = object(match.curves, "match.curves");
+  if (!(number(report.leastDeterminant, "match.report.leastDeterminant") > 0) || folds(deformation, side)) {
+    throw new Error("The deformation folds the plane, which no match of this page does; save it again.");
+  }
+  const outlines = object(match.curves, "match.curves");
   const curves: Curves = {
-    reference: [...shape(given.reference, "match.curves.reference")],
-    template: [...shape(given.template, "match.curves.template")],
-    matched: [...shape(given.matched, "match.curves.matched")],
+    reference: [...shape(outlines.reference, "match.curves.reference")],
+    template: [...shape(outlines.template, "match.curves.template")],
+    matched: [...shape(outlines.matched, "match.curves.matched")],
   };
   const partners = curves.reference.every((loop, i) => loop.length === curves.matched[i]?.length);
   if (!partners || curves.reference.length !== curves.matched.length) {
     throw new Error("The matched curves have not the points of the reference; save the match again.");
   }
   return { status, deformation, curves };
+}
+
+/** Whether a corner of a cell is turned over. */
+function folds(deformation: Float64Array, side: number): boolean {
+  const at = (i: number, j: number) => 2 * (j * side + i);
+  for (let j = 0; j < side; j += 1) {
+    for (let i = 0; i < side; i += 1) {
+      // A node is the corner of up to four cells: across to one neighbour, up or down to another.
+      for (const [di, dj] of CORNERS) {
+        if (i + di < 0 || i + di >= side || j + dj < 0 || j + dj >= side) continue;
+        const [here, across, up] = [at(i, j), at(i + di, j), at(i, j + dj)];
+        const determinant =
+          (deformation[across] - deformation[here]) * (deformation[up + 1] - deformation[here + 1]) -
+          (deformation[across + 1] - deformation[here + 1]) * (deformation[up] - deformation[here]);
+        if (!(determinant * di * dj > 0)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+const CORNERS = [
+  [1, 1],
+  [-1, 1],
+  [1, -1],
+  [-1, -1],
+] as const;
+
+/** Whether every number is one that the file can hold and that reading it takes. */
+function isSound({ status, deformation, curves }: SavedMatch): boolean {
+  const all = [deformation, ...curves.reference, ...curves.template, ...curves.matched];
+  return (
+    all.every((numbers) => numbers.every(Number.isFinite)) &&
+    Object.values(status.energies).every(Number.isFinite) &&
+    status.leastDeterminant > 0 &&
+    !folds(deformation, 2 ** status.level + 1)
+  );
+}
+
+function named<T>(names: readonly string[], value: (name: string) => T): Record<string, T> {
+  return Object.fromEntries(names.map((name) => [name, value(name)]));
 }
 
 function pairs(loop: Loop): [number, number][] {
@@ -107,7 +162,8 @@ function shape(content: unknown, name: string): Shape {
     const points = list(loop, `${name}, loop ${l + 1},`);
     const out = new Float64Array(2 * points.length);
     points.forEach((point, i) => {
-      const [x, y] = list(point, `${name}, loop ${l + 1}, point ${i + 1},`);
+      const [x, y, ...more] = list(point, `${name}, loop ${l + 1}, point ${i + 1},`);
+      if (more.length > 0) throw damaged(`${name}, loop ${l + 1}, point ${i + 1} has more than two numbers`);
       out[2 * i] = number(x, `${name}, loop ${l + 1}, point ${i + 1}`);
       out[2 * i + 1] = number(y, `${name}, loop ${l + 1}, point ${i + 1}`);
     });
@@ -117,15 +173,30 @@ function shape(content: unknown, name: string): Shape {
 
 function object(value: unknown, name: string): Record<string, unknown> {
   if (typeof value === "object" && value !== null && !Array.isArray(value)) return value as Record<string, unknown>;
-  throw new Error(`The file is damaged: ${name} is missing or of the wrong kind; save it again.`);
+  throw damaged(`${name} is missing or of the wrong kind`);
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
   if (Array.isArray(value)) return value;
-  throw new Error(`The file is damaged: ${name} is no list; save it again.`);
+  throw damaged(`${name} is no list`);
 }
 
 function number(value: unknown, name: string): number {
   if (typeof value === "number" && Number.isFinite(value)) return value;
-  throw new Error(`The file is damaged: ${name} is no number; save it again.`);
+  throw damaged(`${name} is no number`);
+}
+
+/** JSON has no word for what is no number but null. */
+function measure(value: unknown, name: string): number {
+  return value === null ? Number.NaN : number(value, name);
+}
+
+function whole(value: unknown, name: string, most = Number.MAX_SAFE_INTEGER): number {
+  const found = number(value, name);
+  if (Number.isInteger(found) && found >= 0 && found <= most) return found;
+  throw damaged(`${name} is ${found}, which no match has`);
+}
+
+function damaged(what: string): Error {
+  return new Error(`The file is damaged: ${what}; save it again.`);
 }

@@ -45,6 +45,9 @@ function saving(): Saving & { match: NonNullable<Saving["match"]> } {
     leastDeterminant: 4,
     mismatch: { mean: 0, max: 0 },
     stretch: { mean: 2, deviation: 0 },
+    cover: { mean: 0, max: 0 },
+    measure: 1,
+    approach: "",
   };
   return { reference, template, settings: {}, bandwidth: 0.05, match: { status, deformation, curves } };
 }

@@ -269,6 +269,8 @@ test("the morph as a video that plays", async ({ page }) => {
   await match(page);
   const { name, buffer } = await save(page, "Morph as video (WebM)");
   expect(name).toBe("thinshell-match-65x65.webm");
+  // The page's own policy lets it play nothing.
+  await page.goto("about:blank");
   const film = await page.evaluate(async (content) => {
     const video = document.createElement("video");
     video.muted = true;
@@ -334,14 +336,16 @@ test("without a match only what needs none can be saved", async ({ page }) => {
   expect(JSON.parse(buffer.toString()).match).toBeNull();
 });
 
-test("a browser that records no video says so, and makes a GIF", async ({ page }) => {
+test("a browser that records no video makes a GIF, and says so", async ({ page }) => {
   await page.addInitScript(() => Reflect.deleteProperty(window, "MediaRecorder"));
   await page.goto(PLAIN);
   await match(page);
-  await page.getByText("Save", { exact: true }).click();
-  await button(page, "Morph as video (WebM)").click();
-  await expect(page.getByRole("alert")).toContainText("This browser records no video; save the morph as GIF.");
-  expect((await save(page, "Morph as GIF")).buffer.length).toBeGreaterThan(1000);
+  const { name, buffer } = await save(page, "Morph as video (WebM)");
+  expect(name).toBe("thinshell-match-65x65.gif");
+  expect(buffer.length).toBeGreaterThan(1000);
+  await expect(page.getByRole("alert")).toContainText(
+    "This browser recorded no video, so the morph is saved as a GIF.",
+  );
 });
 
 for (const width of [1280, 390]) {

@@ -3,6 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Draw, Format } from "../export";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
+import { fetched } from "./fetched";
 import { draw, limitOf } from "./viewing";
 
 const FORMATS: readonly { readonly format: Format; readonly label: string; readonly needsMatch: boolean }[] = [
@@ -34,13 +35,15 @@ export function Save({ session }: { session: Session }) {
     menu.current?.querySelector("summary")?.focus();
     busy.value = label;
     try {
-      const { saved, download } = await import("../export");
+      const { saved, download } = await fetched("What saves files", () => import("../export"));
       const match = session.match.value;
       const width = bandwidth(session.settings.value);
       const saving = { ...session.shapes.value, settings: session.settings.value, bandwidth: width, match };
       const limit = limitOf(match && { ...match, level: match.status.level }, width);
       const drawn: Draw = (context, frame, colours, scene) => draw(context, frame, colours, scene, limit);
-      download(await saved(saving, format, session.morph.value, drawn));
+      const file = await saved(saving, format, session.morph.value, drawn);
+      download(file);
+      if (file.note) session.problem.value = file.note;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
       session.problem.value = `${label} could not be saved. ${why}`;

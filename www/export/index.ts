@@ -12,7 +12,12 @@ export type { Draw };
 
 export type Format = "png" | "svg" | "json" | "csv" | "video" | "gif";
 
-export type Saved = { readonly blob: Blob; readonly name: string };
+export type Saved = {
+  readonly blob: Blob;
+  readonly name: string;
+  /** What is other than was asked for. */
+  readonly note?: string;
+};
 
 /**
  * `morph` is what the view shows and `draw` how; drawings (SVG) are of the grid. Throws a sentence when the format needs a
@@ -36,12 +41,18 @@ export async function saved(saving: Saving, format: Format, morph: number, draw:
       );
     case "csv":
       return text(csv(matchOf(saving).curves), "text/csv");
-    case "video":
-    case "gif": {
+    case "video": {
       matchOf(saving);
-      const { blob, extension } = await (format === "gif" ? gif(at, colours, draw) : video(at, colours, draw));
-      return named(blob, extension);
+      const film = await video(at, colours, draw);
+      if (film) return named(film.blob, film.extension);
+      return {
+        ...named((await gif(at, colours, draw)).blob, "gif"),
+        note: "This browser recorded no video, so the morph is saved as a GIF.",
+      };
     }
+    case "gif":
+      matchOf(saving);
+      return named((await gif(at, colours, draw)).blob, "gif");
   }
 }
 
@@ -52,6 +63,7 @@ function matchOf({ match }: Saving): NonNullable<Saving["match"]> {
 
 /** Hands the file to the browser's downloads. */
 export function download({ blob, name }: Saved): void {
+  if (blob.size === 0) throw new Error("The file came out empty; try again, or save another format.");
   const address = URL.createObjectURL(blob);
   const link = document.createElement("a");
   link.href = address;

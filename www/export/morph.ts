@@ -35,10 +35,13 @@ function morphAt(part: number): number {
   return (1 - Math.cos(Math.PI * Math.max(0, rise))) / 2;
 }
 
-/** Records in real time, some four seconds. */
-export async function video(sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film> {
+/** Records in real time, some four seconds. Null where the browser records none, or nothing. */
+export async function video(sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film | null> {
   const type = videoType();
-  if (!type) throw new Error("This browser records no video; save the morph as GIF.");
+  return type ? recorded(type, sceneAt, colours, draw).catch(() => null) : null;
+}
+
+async function recorded(type: string, sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film | null> {
   const canvas = document.createElement("canvas");
   canvas.width = VIDEO_SIDE;
   canvas.height = VIDEO_SIDE;
@@ -49,7 +52,7 @@ export async function video(sceneAt: SceneAt, colours: Theme, draw: Draw): Promi
   recorder.ondataavailable = ({ data }) => pieces.push(data);
   const stopped = new Promise<void>((resolve, reject) => {
     recorder.onstop = () => resolve();
-    recorder.onerror = () => reject(new Error("The browser could not record the video; save the morph as GIF."));
+    recorder.onerror = () => reject(new Error("the recorder has failed"));
   });
   recorder.start();
   const begin = performance.now();
@@ -60,6 +63,8 @@ export async function video(sceneAt: SceneAt, colours: Theme, draw: Draw): Promi
   recorder.stop();
   await stopped;
   for (const track of stream.getTracks()) track.stop();
+  // A recorder that got no frame ends without an error and without a byte.
+  if (pieces.every(({ size }) => size === 0)) return null;
   const bare = type.split(";")[0];
   return { blob: new Blob(pieces, { type: bare }), extension: bare === "video/mp4" ? "mp4" : "webm" };
 }

@@ -1,16 +1,20 @@
 import { defineConfig } from "vitest/config";
 import { countries } from "./scripts/lib/countries.mjs";
+import { licences } from "./scripts/lib/licences.mjs";
+import { policyForDevelopment } from "./scripts/lib/policy.mjs";
+
+const { page, worker } = licences();
 
 export default defineConfig({
   // Relative addresses: the build works under any path of any static server.
   base: "./",
-  plugins: [countries()],
+  plugins: [countries(), page, policyForDevelopment()],
   build: {
     target: "es2022",
     sourcemap: false,
     rolldownOptions: { input: ["index.html", "experiments.html"] },
   },
-  worker: { format: "es" },
+  worker: { format: "es", plugins: () => [worker] },
   // Neither watch what cargo builds nor look for pages in it.
   server: { watch: { ignored: ["**/target/**"] } },
   optimizeDeps: { entries: ["index.html", "experiments.html", "benches/page/index.html"] },

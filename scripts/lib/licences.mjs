@@ -1,0 +1,188 @@
+// The licences of everything that the built page carries: npm packages, crates in the wasm, and Rust's own library.
+
+import { createHash } from "node:crypto";
+import { readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { output, root } from "./process.mjs";
+
+/** @typedef {{ name: string, version: string, licence: string, text: string }} Part */
+
+/** Packages whose data is cut into the page while it is built; nothing imports their code. */
+const DATA = ["@phosphor-icons/core", "world-atlas"];
+
+const FILE = "licences.html";
+
+const STYLE =
+  "body{max-width:50rem;margin:2rem auto;padding:0 1rem;font-family:system-ui}pre{white-space:pre-wrap;overflow-wrap:anywhere}";
+
+/** @returns {Part[]} */
+export function parts() {
+  return [...packages(), ...crates(), STANDARD_LIBRARY];
+}
+
+/**
+ * Every npm package that the page needs when it runs, theirs included.
+ *
+ * @returns {Part[]}
+ */
+function packages() {
+  /** @type {{ packages: Record<string, { version: string, license?: string, dev?: boolean }> }} */
+  const lock = JSON.parse(readFileSync(join(root, "package-lock.json"), "utf8"));
+  return Object.entries(lock.packages)
+    .map(([path, entry]) => ({ path, name: path.replace(/^.*node_modules\//, ""), ...entry }))
+    .filter(({ path, name, dev }) => path !== "" && (!dev || DATA.includes(name)))
+    .map(({ path, name, version, license }) => ({
+      name,
+      version,
+      licence: license ?? "",
+      text: textIn(join(root, path), name),
+    }));
+}
+
+/**
+ * Every crate that is linked into the wasm. What only runs while it is built (macros, build scripts) is not in it.
+ *
+ * @returns {Part[]}
+ */
+function crates() {
+  const asked = ["metadata", "--format-version", "1", "--locked", "--filter-platform", "wasm32-unknown-unknown"];
+  const answer = output("cargo", asked);
+  if (answer === null) throw new Error(`\`cargo ${asked.join(" ")}\` failed: the crates' licences cannot be listed.`);
+  /** @type {{ packages: { id: string, name: string, version: string, license: string | null, manifest_path: string, targets: { kind: string[] }[] }[], resolve: { root: string, nodes: { id: string, deps: { pkg: string, dep_kinds: { kind: string | null }[] }[] }[] } }} */
+  const { packages, resolve } = JSON.parse(answer);
+  const known = new Map(packages.map((crate) => [crate.id, crate]));
+  const nodes = new Map(resolve.nodes.map((node) => [node.id, node]));
+  const linked = new Set([resolve.root]);
+  for (const id of linked) {
+    for (const { pkg, dep_kinds } of nodes.get(id)?.deps ?? []) {
+      const isMacro = known.get(pkg)?.targets.some(({ kind }) => kind.includes("proc-macro"));
+      if (!isMacro && dep_kinds.some(({ kind }) => kind === null)) linked.add(pkg);
+    }
+  }
+  return [...linked]
+    .map((id) => known.get(id))
+    .filter((crate) => crate !== undefined)
+    .map(({ name, version, license, manifest_path }) => ({
+      name,
+      version,
+      licence: license ?? "",
+      text: textIn(dirname(manifest_path), name),
+    }))
+    .sort((a, b) => a.name.localeCompare(b.name));
+}
+
+/**
+ * The licence files of a package. Where it may be taken under MIT, that is enough.
+ *
+ * @param {string} folder
+ * @param {string} name
+ */
+function textIn(folder, name) {
+  const files = readdirSync(folder).filter((file) => /^(licen[cs]e|copying|notice|unlicense)/i.test(file));
+  const chosen = files.some((file) => /mit/i.test(file)) ? files.filter((file) => !/apache|zlib/i.test(file)) : files;
+  if (chosen.length === 0)
+    throw new Error(`${name} brings no licence file: add its text to scripts/lib/licences.mjs, or do without it.`);
+  return chosen
+    .sort()
+    .map((file) => readFileSync(join(folder, file), "utf8").trim())
+    .join("\n\n");
+}
+
+/** @param {readonly Part[]} all */
+export function pageOf(all) {
+  const sections = all.map(
+    ({ name, version, licence, text }) =>
+      `<section><h2>${escaped(`${name} ${version}`)}</h2><p>${escaped(licence)}</p><pre>${escaped(text)}</pre></section>`,
+  );
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'sha256-${createHash("sha256").update(STYLE).digest("base64")}'">
+<link rel="icon" href="data:,">
+<title>thinshell: licences</title>
+<style>${STYLE}</style>
+</head>
+<body>
+<main>
+<h1>Licences</h1>
+<p>What this page is made of, and the terms of each part. <a href="./index.html">Back to the page</a></p>
+${sections.join("\n")}
+</main>
+</body>
+</html>
+`;
+}
+
+/** @param {string} text */
+function escaped(text) {
+  return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
+}
+
+/**
+ * Vite plugins: the page's writes `licences.html`, and refuses to build when a package is bundled that is not in it. The
+ * workers are bundled by themselves; theirs only looks.
+ *
+ * @returns {{ page: import("vite").Plugin, worker: import("vite").Plugin }}
+ */
+export function licences() {
+  /** @type {Set<string>} */
+  const bundled = new Set();
+  /** @type {(bundle: Record<string, { type: string, moduleIds?: string[] }>) => void} */
+  const look = (bundle) => {
+    for (const { moduleIds = [] } of Object.values(bundle)) {
+      for (const id of moduleIds) {
+        const name = id.match(/^.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/)?.[1];
+        if (name !== undefined && !id.startsWith("\0")) bundled.add(name);
+      }
+    }
+  };
+  return {
+    page: {
+      name: "thinshell-licences",
+      generateBundle(_, bundle) {
+        look(bundle);
+        const all = parts();
+        const missing = [...bundled].filter((name) => !all.some((part) => part.name === name));
+        if (missing.length > 0)
+          this.error(
+            `dist would carry ${missing.join(", ")} without a licence: move it to package.json's dependencies.`,
+          );
+        this.emitFile({ type: "asset", fileName: FILE, source: pageOf(all) });
+      },
+      configureServer(server) {
+        server.middlewares.use(`/${FILE}`, (_, response) => {
+          response.setHeader("Content-Type", "text/html; charset=utf-8");
+          response.end(pageOf(parts()));
+        });
+      },
+    },
+    worker: {
+      name: "thinshell-licences-of-workers",
+      generateBundle: (_, bundle) => look(bundle),
+    },
+  };
+}
+
+/** @type {Part} */
+const STANDARD_LIBRARY = {
+  name: "Rust's standard library",
+  version: "",
+  licence: "MIT OR Apache-2.0",
+  text: `Copyright (c) The Rust Project Contributors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
+persons to whom the Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.`,
+};

@@ -1,0 +1,31 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { expect, test } from "vitest";
+import { pageOf, parts } from "./lib/licences.mjs";
+import { output, root } from "./lib/process.mjs";
+
+const all = parts();
+const names = all.map(({ name }) => name);
+
+test("every package that the page depends on is in it, and the gallery's data", () => {
+  const { dependencies } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  expect(names).toEqual(expect.arrayContaining([...Object.keys(dependencies), "@phosphor-icons/core", "world-atlas"]));
+  // What those need in turn, for one.
+  expect(names).toContain("@preact/signals-core");
+  expect(names).not.toContain("vite");
+});
+
+test("every crate that cargo links into the wasm is in it", () => {
+  const tree = ["tree", "--locked", "--target", "wasm32-unknown-unknown", "--edges", "normal,no-proc-macro"];
+  const lines = output("cargo", [...tree, "--prefix", "none", "--format", "{p}"]) ?? "";
+  const crates = new Set(lines.split("\n").map((line) => line.split(" ")[0]));
+  expect(crates.size).toBeGreaterThan(20);
+  expect(names).toEqual(expect.arrayContaining([...crates]));
+  expect(names).not.toContain("serde_derive");
+});
+
+test("each part has its terms, readable as a page", () => {
+  for (const { name, text } of all) expect(text.length, name).toBeGreaterThan(400);
+  const page = pageOf([{ name: "a<b", version: "1", licence: "MIT", text: "© <me@example.org> & others" }]);
+  expect(page).toContain("<h2>a&lt;b 1</h2><p>MIT</p><pre>© &lt;me@example.org&gt; &amp; others</pre>");
+});

@@ -16,6 +16,7 @@ import { moduleAt } from "./engine";
 import { Session } from "./session";
 import { open, readStorage } from "./state";
 import "./style.css";
+import "./controls/views.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
 import SolverWorker from "./worker?worker&inline";
 

@@ -1,6 +1,8 @@
 /** Nothing gets stuck: whatever fails or hangs is said, can be cancelled, and leaves a page that works. */
 
+import { readFileSync } from "node:fs";
 import { expect, type Page, test, type Worker } from "@playwright/test";
+import { file } from "./files";
 import { button, choose, finished, value, watch } from "./handles";
 
 const EASY = "./#v=1&preset=ellipse&finest=5";
@@ -26,6 +28,11 @@ async function hang(worker: Worker): Promise<void> {
       for (;;);
     });
   });
+}
+
+/** From now on, in pages that have been prepared for it. */
+async function successorsHang(page: Page, endless: boolean): Promise<void> {
+  await page.evaluate((value) => Reflect.set(window, "endless", value), endless);
 }
 
 test("where no worker may start, each press of Match tries once and says why", async ({ page }) => {
@@ -90,17 +97,27 @@ test("while the solver is on its way, the status says so, and Cancel ends the wa
 test.describe("Cancel ends whatever the solver is doing and keeps all that was drawn and chosen", () => {
   test("while it takes up the shapes", async ({ page }) => {
     const seen = watch(page);
+    await page.addInitScript(() => {
+      window.Worker = new Proxy(Worker, {
+        construct(target, parts) {
+          const [address, ...others] = parts;
+          const endless =
+            Reflect.get(window, "endless") && URL.createObjectURL(new Blob(["for (;;);"], { type: "text/javascript" }));
+          return Reflect.construct(target, [endless || address, ...others]);
+        },
+      });
+    });
     await page.goto("./#v=1&preset=moon&finest=5&bending=0.5");
     await button(page, "Match").click();
     await finished(page);
     const [before] = page.workers();
     await hang(before);
-    // Its successor, too, or the page would help itself before anybody looks.
-    page.on("worker", hang);
+    // Its successors, too, or the page would help itself before anybody looks.
+    await successorsHang(page, true);
     await button(page, "Match").click();
     await expect(page.getByRole("status")).toContainText("Preparing the shapes");
     await expect(page.getByRole("progressbar", { name: "Match" })).toBeVisible();
-    page.off("worker", hang);
+    await successorsHang(page, false);
     await button(page, "Cancel").click();
     await expect(page.getByRole("status")).toContainText("Cancelled");
     await expect(page.getByRole("progressbar")).toHaveCount(0);
@@ -158,5 +175,188 @@ test("a start that the solver does not take up goes to a fresh one", async ({ pa
   await button(page, "Match").click();
   await finished(page);
   expect(await value(page, "level")).toBe(6);
-  expect(page.workers()).not.toContain(before);
+  await expect.poll(() => page.workers().includes(before)).toBe(false);
 });
+
+test.describe("a part that cannot be fetched says so, and comes as soon as it can", () => {
+  /** Files of the build that are refused until the function given back is called. */
+  async function withhold(page: Page, pattern: string): Promise<() => void> {
+    let there = false;
+    await page.route(pattern, (route) => (there ? route.continue() : route.abort()));
+    return () => {
+      there = true;
+    };
+  }
+
+  test("the import", async ({ page }) => {
+    await page.goto(EASY);
+    const give = await withhold(page, "**/assets/ImportDialog-*");
+    await button(page, "Import template").click();
+    await expect(page.getByRole("alert")).toContainText("The import could not be loaded; check the connection");
+    give();
+    await button(page, "Import template").click();
+    const dialog = page.getByRole("dialog", { name: "Import a template" });
+    await expect(dialog).toBeVisible();
+    // With its style sheet: without it the dialog would be as narrow as its text.
+    expect((await dialog.boundingBox())?.width).toBeGreaterThan(700);
+    await page.getByText("Paste text here").click();
+    await page.getByLabel("SVG, JSON or CSV text").fill("0 0\n2 0\n2 1\n0 1");
+    await button(page, "Use as template").click();
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+  });
+
+  test("the import, on its way for long, says that it comes", async ({ page }) => {
+    await page.goto(EASY);
+    let arrive = () => {};
+    const arrived = new Promise<void>((resolve) => {
+      arrive = resolve;
+    });
+    await page.route("**/assets/ImportDialog-*.js", async (route) => {
+      await arrived;
+      await route.continue();
+    });
+    await button(page, "Import template").click();
+    await expect(page.getByText("Loading the import …")).toBeVisible();
+    arrive();
+    await expect(page.getByRole("dialog", { name: "Import a template" })).toBeVisible();
+    await expect(page.getByText("Loading the import …")).toHaveCount(0);
+  });
+
+  test("the gallery", async ({ page }) => {
+    await page.goto(EASY);
+    const give = await withhold(page, "**/assets/gallery-*");
+    await button(page, "Import template").click();
+    await button(page, "Gallery").click();
+    await expect(page.getByRole("dialog").getByRole("alert")).toContainText("The gallery could not be loaded; check");
+    give();
+    await button(page, "Gallery").click();
+    await expect(button(page, "Heart")).toBeVisible();
+  });
+
+  test("what saves files", async ({ page }) => {
+    await page.goto(EASY);
+    const give = await withhold(page, "**/assets/export-*");
+    const save = async () => {
+      await page.getByText("Save", { exact: true }).click();
+      await button(page, "Drawing (SVG)").click();
+    };
+    await save();
+    await expect(page.getByRole("alert")).toContainText("What saves files could not be loaded; check the connection");
+    give();
+    const download = page.waitForEvent("download");
+    await save();
+    expect((await download).suggestedFilename()).toBe("thinshell-shapes.svg");
+  });
+
+  test("the comparison and the views", async ({ page }) => {
+    await page.goto(EASY);
+    const give = await withhold(page, "**/assets/{Compare,views}-*");
+    await page.getByText("Compare side by side").click();
+    await expect(page.getByRole("alert")).toContainText("“Compare side by side” could not be loaded; check");
+    await page.getByLabel("View", { exact: true }).selectOption("Area ratio");
+    await expect(page.getByRole("alert")).toContainText("This view could not be loaded; check");
+    give();
+    await page.getByText("Compare side by side").click();
+    await expect(button(page, "Compare")).toBeVisible();
+  });
+});
+
+test("a video of no bytes is not saved: the morph is, as a GIF, and the page says so", async ({ page }) => {
+  await page.addInitScript(() => {
+    // A recorder that never gets a frame ends without an error and without a byte.
+    class Empty extends EventTarget {
+      static isTypeSupported = () => true;
+      ondataavailable: ((event: { data: Blob }) => void) | null = null;
+      onstop: (() => void) | null = null;
+      start() {}
+      stop() {
+        this.ondataavailable?.({ data: new Blob([]) });
+        this.onstop?.();
+      }
+    }
+    Reflect.set(window, "MediaRecorder", Empty);
+  });
+  await page.goto(EASY);
+  await button(page, "Match").click();
+  await finished(page);
+  await page.getByText("Save", { exact: true }).click();
+  const download = page.waitForEvent("download");
+  await button(page, "Morph as video (WebM)").click();
+  const saved = await download;
+  expect(saved.suggestedFilename()).toBe("thinshell-match-33x33.gif");
+  expect(
+    readFileSync(await saved.path())
+      .subarray(0, 6)
+      .toString(),
+  ).toBe("GIF89a");
+  await expect(page.getByRole("alert")).toContainText("recorded no video, so the morph is saved as a GIF");
+});
+
+test("numbers that are none are said in words, and what was saved of them opens again", async ({ page }) => {
+  // A curve that falls between the nodes of its grid has no points there: nothing to measure on.
+  const side = 3;
+  const deformation = Array.from({ length: side * side }, (_, k) => [(k % side) / 2, Math.floor(k / side) / 2]).flat();
+  const loop = [
+    [0.4, 0.4],
+    [0.6, 0.4],
+    [0.5, 0.6],
+  ];
+  const record = {
+    format: "thinshell",
+    version: 1,
+    reference: { loops: [loop] },
+    template: { loops: [loop] },
+    settings: {},
+    match: {
+      report: {
+        finished: true,
+        stop: "Converged.",
+        level: 1,
+        iteration: 3,
+        evaluations: 9,
+        energies: { membrane: 0, bending: 0, mismatch: 0, volume: 0, total: 0 },
+        leastDeterminant: 0.25,
+        mismatch: { mean: null, max: 0 },
+        stretch: { mean: null, deviation: null },
+      },
+      deformation,
+      curves: { reference: [], template: [], matched: [] },
+    },
+  };
+  await page.goto(EASY);
+  await choosing(page, "degenerate.json", JSON.stringify(record));
+  await button(page, "Open everything").click();
+  await expect(page.getByRole("status")).toContainText("none: the grid does not see the curve");
+  await expect(page.getByRole("main")).not.toContainText("NaN");
+  await page.getByText("Save", { exact: true }).click();
+  const download = page.waitForEvent("download");
+  await button(page, "Everything (JSON)").click();
+  const again = readFileSync(await (await download).path(), "utf8");
+  expect(JSON.parse(again).match.report.mismatch).toEqual({ mean: null, max: 0 });
+  await choosing(page, "again.json", again);
+  await expect(button(page, "Open everything")).toBeVisible();
+});
+
+test("a damaged match is refused on opening, and nothing is lost", async ({ page }) => {
+  await page.goto(EASY);
+  await button(page, "Match").click();
+  await finished(page);
+  const distance = await value(page, "mismatch-max");
+  await choosing(
+    page,
+    "damaged.json",
+    '{"format":"thinshell","version":1,"reference":{"loops":[]},"template":{"loops":[]},"match":{"report":{"level":-2000}}}',
+  );
+  await expect(page.getByRole("dialog").getByRole("alert")).toContainText(
+    "The file is damaged: match.report.level is -2000, which no match has; save it again.",
+  );
+  await expect(button(page, "Open everything")).toHaveCount(0);
+  await button(page, "Close").click();
+  expect(await value(page, "mismatch-max")).toBe(distance);
+  await expect(button(page, "Undo")).toBeDisabled();
+});
+
+async function choosing(page: Page, name: string, content: string): Promise<void> {
+  await button(page, "Import reference").click();
+  await page.getByLabel("Choose a file").setInputFiles({ ...file(name, "application/json", content) });
+}

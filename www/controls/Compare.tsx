@@ -4,7 +4,8 @@ import { sentence } from "../run";
 import type { Session } from "../session";
 import { bandwidth, type Chosen, FIELDS, parseSetting, withSetting } from "../settings";
 import type { ResultScene } from "../view/result";
-import "./compare.css";
+import { adopt } from "./adopt";
+import style from "./compare.css?inline";
 import { Comparison, type Outcome } from "./compared";
 import { Legend } from "./Legend";
 import { MatchCanvas } from "./MatchCanvas";
@@ -12,6 +13,8 @@ import { decimals } from "./numbers";
 import { Readout } from "./Readout";
 import { ViewPicker } from "./ViewPicker";
 import { lazy, view } from "./viewing";
+
+adopt(style);
 
 /** One setting changed from those of the page, as text; an empty field changes none. */
 type Change = { readonly field: string; readonly value: string };

@@ -1,11 +1,15 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
+import plotStyle from "uplot/dist/uPlot.min.css?inline";
 import type { Iteration } from "../protocol";
 import type { Session } from "../session";
-import "./energyPlot.css";
+import { adopt } from "./adopt";
+import style from "./energyPlot.css?inline";
 import { decimals } from "./numbers";
+
+adopt(plotStyle);
+adopt(style);
 
 const HEIGHT = 240;
 

@@ -2,6 +2,7 @@ import { useSignal } from "@preact/signals";
 import type { FunctionComponent } from "preact";
 import { useEffect } from "preact/hooks";
 import type { Session, Side } from "../session";
+import { fetched } from "./fetched";
 import { importing, listenForImports } from "./importing";
 
 type Dialog = FunctionComponent<{ session: Session }>;
@@ -33,16 +34,23 @@ export function Import({ session }: { session: Session }) {
   const wanted = importing.value !== null;
   useEffect(() => {
     if (!wanted || dialog.value) return;
-    import("./ImportDialog").then(
+    fetched("The import", () => import("./ImportDialog")).then(
       (loaded) => {
         dialog.value = loaded.ImportDialog;
       },
-      () => {
+      (error) => {
         importing.value = null;
-        session.problem.value = "The import dialog could not be loaded; check the connection, or reload the page.";
+        session.problem.value = error.message;
       },
     );
   }, [wanted, session, dialog]);
   const Loaded = dialog.value;
-  return wanted && Loaded ? <Loaded session={session} /> : null;
+  if (!wanted) return null;
+  return Loaded ? (
+    <Loaded session={session} />
+  ) : (
+    <p class="coming" aria-live="polite">
+      Loading the import …
+    </p>
+  );
 }

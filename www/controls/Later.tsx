@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import type { FunctionComponent } from "preact";
 import type { Session } from "../session";
+import { fetched } from "./fetched";
 
 type Part = FunctionComponent<{ session: Session }>;
 
@@ -12,17 +13,17 @@ export function Later({ session, name, title, load }: Properties) {
     open.value = details.open;
     if (!details.open || part.value) return;
     try {
-      part.value = await load();
-    } catch {
+      part.value = await fetched(`“${title}”`, load);
+    } catch (error) {
       details.open = false;
-      session.problem.value = `“${title}” could not be loaded; check the connection, or reload the page.`;
+      session.problem.value = error instanceof Error ? error.message : String(error);
     }
   };
   const Loaded = part.value;
   return (
     <details class={`later ${name}`} onToggle={(event) => void toggle(event.currentTarget)}>
       <summary>{title}</summary>
-      {open.value && Loaded && <Loaded session={session} />}
+      {open.value && (Loaded ? <Loaded session={session} /> : <p class="help">Loading …</p>)}
     </details>
   );
 }

@@ -8,7 +8,6 @@ import { Legend, takePicture } from "./Legend";
 import { MatchCanvas } from "./MatchCanvas";
 import { decimals } from "./numbers";
 import { Readout } from "./Readout";
-import "./views.css";
 import { limitOf, view } from "./viewing";
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */

@@ -7,6 +7,7 @@ import type { Theme } from "../view/palette";
 import type { Probe } from "../view/probe";
 import type { Picture } from "../view/raster";
 import { drawResult, type Match, type ResultScene } from "../view/result";
+import { fetched } from "./fetched";
 
 export const view = signal<View>("grid");
 
@@ -25,13 +26,11 @@ export const picture = signal<Picture | null>(null);
 /** Shows the view, after fetching what draws it. Throws a sentence when that fails. */
 export async function choose(wanted: View): Promise<void> {
   if (wanted !== "grid" && !lazy.value) {
-    try {
-      const [views, pictures] = await Promise.all([import("../view/views"), import("../view/picture")]);
-      picture.value ??= pictures.pattern();
-      lazy.value = { views, pictures };
-    } catch {
-      throw new Error("This view could not be loaded; check the connection, or reload the page.");
-    }
+    const [views, pictures] = await fetched("This view", () =>
+      Promise.all([import("../view/views"), import("../view/picture")]),
+    );
+    picture.value ??= pictures.pattern();
+    lazy.value = { views, pictures };
   }
   view.value = wanted;
 }

@@ -13,7 +13,8 @@ use crate::grid::Grid;
 pub fn zero_set(grid: Grid<2>, values: &[f64]) -> Vec<Vec<DVec2>> {
     assert_eq!(values.len(), grid.node_count(), "one value for each node");
     let side = grid.side();
-    let mut loops = trace(side, side, |column, row| values[row * side + column], f64::MAX);
+    let traced = trace(side, side, |column, row| values[row * side + column], f64::MAX, usize::MAX);
+    let mut loops = traced.unwrap_or_default();
     for point in loops.iter_mut().flatten() {
         *point *= grid.spacing();
     }
@@ -21,15 +22,21 @@ pub fn zero_set(grid: Grid<2>, values: &[f64]) -> Vec<Vec<DVec2>> {
 }
 
 /// Marching squares over `width` × `height` values, in units of their spacing, the first at the origin.
-/// `beyond` > 0 is the value all around the array.
-pub(crate) fn trace(width: usize, height: usize, value: impl Fn(usize, usize) -> f64, beyond: f64) -> Vec<Vec<DVec2>> {
+/// `beyond` > 0 is the value all around the array. None if there are more than `most` points.
+pub(crate) fn trace(
+    width: usize,
+    height: usize,
+    value: impl Fn(usize, usize) -> f64,
+    beyond: f64,
+    most: usize,
+) -> Option<Vec<Vec<DVec2>>> {
     let at = |[column, row]: [isize; 2]| {
         let within = column >= 0 && row >= 0 && (column as usize) < width && (row as usize) < height;
         if within { value(column as usize, row as usize) } else { beyond }
     };
     // Every closed curve enters what is negative from the left on some row: marks there are enough.
     let mut visited = vec![0u64; (width * height).div_ceil(64)];
-    let mut loops = Vec::new();
+    let (mut loops, mut points) = (Vec::new(), 0);
     for row in 0..height {
         let mut before = beyond;
         for column in 0..width {
@@ -38,15 +45,20 @@ pub(crate) fn trace(width: usize, height: usize, value: impl Fn(usize, usize) ->
             before = here;
             let place = row * width + column;
             if enters && visited[place / 64] >> (place % 64) & 1 == 0 {
-                loops.push(follow([column as isize, row as isize], &at, |[column, row]| {
+                let curve = follow([column as isize, row as isize], &at, |[column, row]| {
                     let place = row as usize * width + column as usize;
                     visited[place / 64] |= 1 << (place % 64);
-                }));
+                });
+                points += curve.len();
+                if points > most {
+                    return None;
+                }
+                loops.push(curve);
             }
         }
     }
     loops.retain(|points: &Vec<DVec2>| points.len() >= 3);
-    loops
+    Some(loops)
 }
 
 /// Follows the curve from the edge between the negative node `start` and its left neighbour back to there, with

@@ -5,6 +5,7 @@
 //! [`SignedDistance::redistance`] of any level set; [`SignedDistance::from_level_set`] takes nodal values as they are.
 
 mod carry;
+mod level_set;
 mod march;
 mod mask;
 mod nearest;
@@ -53,31 +54,6 @@ impl<const D: usize> SignedDistance<D> {
     pub fn outline(&self) -> Arc<Hypersurface<D>> {
         let zero_set = || Arc::new(Hypersurface::zero_set(self.grid, &self.values));
         self.outline.clone().unwrap_or_else(zero_set)
-    }
-
-    /// Nodal values used as they are, a signed distance or not.
-    ///
-    /// # Errors
-    ///
-    /// A wrong number of values, one that is not finite, values all of one sign, or a zero set that comes within
-    /// [`CLEARANCE`] cells of the border.
-    pub fn from_level_set(grid: Grid<D>, values: Vec<f64>) -> Result<Self, ShapeError> {
-        check_level_set(grid, &values)?;
-        let level_set = Self::from_nodal(grid, values);
-        level_set.check_clearance(grid.cells())?;
-        Ok(level_set)
-    }
-
-    /// The signed distance to the zero set of a level set, negative where the level set is.
-    ///
-    /// # Errors
-    ///
-    /// As [`from_level_set`](Self::from_level_set).
-    pub fn redistance(grid: Grid<D>, values: &[f64]) -> Result<Self, ShapeError> {
-        check_level_set(grid, values)?;
-        let level_set = Self::from_nodal(grid, march::redistance(grid, values));
-        level_set.check_clearance(grid.cells())?;
-        Ok(level_set)
     }
 
     /// The same on `cells` cells a side: injection at the common nodes if coarser, multilinear interpolation if finer.
@@ -144,25 +120,6 @@ impl<const D: usize> SignedDistance<D> {
         }
         (low, high)
     }
-}
-
-fn check_level_set<const D: usize>(grid: Grid<D>, values: &[f64]) -> Result<(), ShapeError> {
-    if values.len() != grid.node_count() {
-        return Err(ShapeError::LevelSetLength {
-            found: values.len(),
-            expected: grid.node_count(),
-            cells: grid.cells(),
-            dim: D,
-        });
-    }
-    if let Some(node) = values.iter().position(|value| !value.is_finite()) {
-        return Err(ShapeError::LevelSetNotFinite { node });
-    }
-    let negative = values.iter().filter(|value| **value < 0.0).count();
-    if negative == 0 || negative == values.len() {
-        return Err(ShapeError::NoSignChange);
-    }
-    Ok(())
 }
 
 /// Whether the box from `low` to `high` keeps [`CLEARANCE`] cells from the border; names the worst side if not.

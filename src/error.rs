@@ -20,6 +20,11 @@ pub enum Error {
     /// An array with a NaN or an infinity.
     #[error("{name} has a value that is not finite at position {position}; replace or remove it")]
     NotFinite { name: &'static str, position: usize },
+    /// More memory than there is.
+    #[error(
+        "finest = {finest} with these settings needs up to {gigabytes:.1} GB of memory, more than there is; choose a smaller coarsest or finest level"
+    )]
+    Memory { gigabytes: f64, finest: u32 },
     /// Weights, or a level set, out of all proportion.
     #[error(
         "the {term} energy is {value:e} before anything has moved, more than numbers of this precision can balance ({most:e} at most); choose smaller weights, or level sets that are distances"
@@ -41,7 +46,13 @@ pub enum ShapeError {
     #[error("holds no node of the grid of {cells} cells a side; make it larger or choose a finer grid")]
     TooSmall { cells: usize },
     #[error(
-        "leaves the box on the {side} ({coordinate} = {value:.3}); make it smaller or move it inwards (\"Fit\" does both)"
+        "is too thin for the grid of {cells} cells a side, which sees {percent:.0} % of its outline; make it thicker or choose a finer grid",
+        percent = 100.0 * share
+    )]
+    TooThin { share: f64, cells: usize },
+    #[error(
+        "leaves the box on the {side} ({coordinate} = {}); make it smaller or move it inwards (\"Fit\" does both)",
+        place(*value)
     )]
     OutsideBox { side: &'static str, coordinate: &'static str, value: f64 },
     #[error(
@@ -56,8 +67,23 @@ pub enum ShapeError {
     LevelSetNotFinite { node: usize },
     #[error("has a level set without a sign change; it must be negative inside and positive outside")]
     NoSignChange,
+    #[error(
+        "has a level set that is no distance: it climbs {slope:.3e} a unit of length at its zero set and reaches {greatest:.3e}, a distance 1 and less than 2; set redistance to true, or scale it"
+    )]
+    LevelSetSlope { slope: f64, greatest: f64 },
     #[error("has a mask of {found} pixels, but {width} × {height} = {expected} are needed")]
     MaskLength { found: usize, width: usize, height: usize, expected: usize },
+    #[error(
+        "crosses or overlaps itself hundreds of thousands of times (at most {most} crossings are handled); draw a simpler curve"
+    )]
+    Tangled { most: usize },
+    #[error("has an outline of more than {most} points; smooth it, or make the picture smaller")]
+    TooManyPoints { most: usize },
     #[error("{0}")]
     Unsupported(String),
+}
+
+/// A coordinate, with an exponent where it lies so far off that its digits would fill the page.
+fn place(value: f64) -> String {
+    if value.abs() < 1e6 { format!("{value:.3}") } else { format!("{value:.3e}") }
 }

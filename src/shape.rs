@@ -34,13 +34,7 @@ impl Shape {
                     let (least, most) = (*LEVEL_SET_CELLS.start(), *LEVEL_SET_CELLS.end());
                     return Err(ShapeError::LevelSetCells { cells: *cells, least, most });
                 }
-                let given = Grid::new(*cells);
-                let distance = if *redistance {
-                    SignedDistance::redistance(given, values)?
-                } else {
-                    SignedDistance::from_level_set(given, values.clone())?
-                };
-                Ok(distance.to_cells(grid.cells()))
+                SignedDistance::from_level_set_on(grid, Grid::new(*cells), values, *redistance)
             }
         }
     }

@@ -1,10 +1,18 @@
 //! Which grids carry a shape: a sliver, a speck or a thin ring falls between the nodes of a coarse one.
 
 use super::SignedDistance;
+use crate::error::ShapeError;
 
 /// A grid carries a shape if the outline's measure that it sees is within this factor of the truth. A quarter of the
 /// thinnest parts may be missing from a coarse level (the next ones bring them); half of everything may not.
 const FACTOR: f64 = 2.0;
+
+/// The least share of the outline that must be seen by the grid on which a shape is to be matched in the end.
+const LEAST_SHARE: f64 = 1.0 / 3.0;
+
+/// A shape nowhere deeper than this, in cells, is a line to the grid: its outline's two sides would be told apart by
+/// rounding.
+const LEAST_DEPTH: f64 = 1e-3;
 
 impl<const D: usize> SignedDistance<D> {
     /// Whether the outline, looked at on `cells` cells a side, still is what it is on this grid.
@@ -18,9 +26,25 @@ impl<const D: usize> SignedDistance<D> {
         seen > 0.0 && FACTOR * seen >= whole && seen <= FACTOR * whole
     }
 
+    /// Whether this grid holds nodes inside the shape, and enough of them. `whole` is the measure of the true outline in
+    /// the sense of [`outline_measure`](Self::outline_measure).
+    ///
+    /// # Errors
+    ///
+    /// [`ShapeError::TooSmall`], [`ShapeError::TooThin`].
+    pub(super) fn check_resolved(&self, whole: f64) -> Result<(), ShapeError> {
+        let cells = self.grid.cells();
+        let deepest = self.values.iter().fold(0.0_f64, |least, &value| least.min(value));
+        if -deepest * (cells as f64) < LEAST_DEPTH {
+            return Err(ShapeError::TooSmall { cells });
+        }
+        let share = self.outline_measure(1) / whole;
+        if share < LEAST_SHARE { Err(ShapeError::TooThin { share, cells }) } else { Ok(()) }
+    }
+
     /// Σ_axis ∫ |n_axis| over the outline, by Cauchy and Crofton: the edges that change sign of the grid that has every
     /// `step`-th node, times what an edge stands for.
-    fn outline_measure(&self, step: usize) -> f64 {
+    pub(super) fn outline_measure(&self, step: usize) -> f64 {
         let negative = |node: usize| self.values[node] < 0.0;
         let mut crossed = 0_usize;
         for node in 0..self.values.len() {

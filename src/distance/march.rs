@@ -21,16 +21,21 @@ pub(super) fn redistance<const D: usize>(grid: Grid<D>, values: &[f64]) -> Vec<f
     let mut seeds = Vec::new();
     for node in 0..values.len() {
         if let Some(distance) = next_to_zero(&cubic, grid, values, node) {
-            signed[node] = distance.copysign(values[node]);
+            signed[node] = distance * side(values[node]);
             seeds.push(node);
-        } else if values[node] < 0.0 {
-            signed[node] = f64::NEG_INFINITY;
+        } else {
+            signed[node] *= side(values[node]);
         }
     }
     march(grid, &mut signed, &seeds);
     // No node is at −0.
     signed.iter_mut().for_each(|value| *value += 0.0);
     signed
+}
+
+/// −1 inside; zero is outside, whatever its own sign.
+fn side(value: f64) -> f64 {
+    if value < 0.0 { -1.0 } else { 1.0 }
 }
 
 /// The distance of a node that has a neighbour of the other sign.

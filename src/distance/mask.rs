@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::SignedDistance;
-use super::polygon::check_box;
+use super::polygon::{MOST_POINTS, check_box};
 use super::winding::Region;
 use crate::contour::trace;
 use crate::error::ShapeError;
@@ -11,9 +11,6 @@ use crate::grid::Grid;
 
 /// Midway between the greatest grey value outside and the least inside.
 const THRESHOLD: f64 = 127.5;
-
-/// More points than any clean outline has; noise with more would exhaust the memory of a page.
-const MOST_POINTS: usize = 2_000_000;
 
 impl SignedDistance<2> {
     /// The exact signed distance to the outline of the pixels above 127, row 0 on top, one byte a pixel.
@@ -34,15 +31,11 @@ impl SignedDistance<2> {
             return Err(ShapeError::Empty);
         }
         let value = |column: usize, row: usize| THRESHOLD - f64::from(data[(height - 1 - row) * width + column]);
-        let mut contours = trace(width, height, value, THRESHOLD);
+        let Some(mut contours) = trace(width, height, value, THRESHOLD, MOST_POINTS) else {
+            return Err(ShapeError::TooManyPoints { most: MOST_POINTS });
+        };
         if contours.is_empty() {
             return Err(ShapeError::NoArea);
-        }
-        let points: usize = contours.iter().map(Vec::len).sum();
-        if points > MOST_POINTS {
-            return Err(ShapeError::Unsupported(format!(
-                "has an outline of {points} points, more than {MOST_POINTS}; smooth the picture or make it smaller"
-            )));
         }
         let longest = width.max(height) as f64;
         let size = DVec2::new(width as f64, height as f64);

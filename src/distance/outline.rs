@@ -1,5 +1,7 @@
 //! The outline of what a set of contours encloses, whatever way they cross, touch or repeat themselves.
 
+use std::collections::HashSet;
+
 use glam::DVec2;
 
 use super::winding::{Edge, Region, Strips};
@@ -14,13 +16,17 @@ const ASIDE: f64 = 1e-9;
 /// More crossings than any drawing has; their number may grow with the square of the number of points.
 const MOST_CUTS: usize = 500_000;
 
+/// Pairs of edges looked at for contacts, and edges looked at by rays: about a second's work each. Many strokes on top
+/// of each other may need more without ever crossing.
+const MOST_WORK: usize = 200_000_000;
+
 /// The region that closed contours enclose, and the pieces of its outline in the order of the contours.
 ///
 /// A contour that lies wholly inside an odd number of others is a hole, any other a body; see [`Region`].
 ///
 /// # Errors
 ///
-/// Contours that cross hundreds of thousands of times.
+/// Contours that cross or overlap hundreds of thousands of times.
 pub(super) fn outline(contours: &[Vec<DVec2>]) -> Result<(Region, Vec<[DVec2; 2]>), ShapeError> {
     let mut region = Region::of_contours(contours);
     let Some(cuts) = contacts(&region.edges, contours)? else {
@@ -34,6 +40,7 @@ pub(super) fn outline(contours: &[Vec<DVec2>]) -> Result<(Region, Vec<[DVec2; 2]
                         signs[contour] = -signs[contour];
                     }
                 });
+                bounded(strips.scanned())?;
             }
             region.signs = signs;
         }
@@ -43,17 +50,23 @@ pub(super) fn outline(contours: &[Vec<DVec2>]) -> Result<(Region, Vec<[DVec2; 2]
 
     let pieces = pieces(&region.edges, cuts);
     let strips = Strips::new(&region);
-    let signs = signs(&strips, &pieces, contours.len());
-    let segments = pieces
-        .iter()
-        .filter(|piece| {
-            let [left, right] = piece.sides();
-            strips.inside(&signs, left) != strips.inside(&signs, right)
-        })
-        .map(|piece| [piece.a, piece.b])
-        .collect();
+    let signs = signs(&strips, &pieces, contours.len())?;
+    let mut segments = Vec::with_capacity(pieces.len());
+    // Where contours share a stretch, the outline has it once.
+    let mut seen = HashSet::with_capacity(pieces.len());
+    for piece in &pieces {
+        let [left, right] = piece.sides();
+        if strips.inside(&signs, left) != strips.inside(&signs, right) && seen.insert(piece.key()) {
+            segments.push([piece.a, piece.b]);
+        }
+        bounded(strips.scanned())?;
+    }
     region.signs = signs;
     Ok((region, segments))
+}
+
+fn bounded(work: usize) -> Result<(), ShapeError> {
+    if work <= MOST_WORK { Ok(()) } else { Err(ShapeError::Tangled { most: MOST_CUTS / 2 }) }
 }
 
 /// The edges cut at their sorted cuts, grouped by contour; pieces too short to have sides are left out.
@@ -74,6 +87,12 @@ fn pieces(edges: &[Edge], cuts: Vec<(u32, f64)>) -> Vec<Edge> {
 }
 
 impl Edge {
+    /// The same for edges that coincide, whichever way they go.
+    fn key(&self) -> [[i64; 2]; 2] {
+        let [a, b] = [self.a, self.b].map(|p| p.to_array().map(|x| (x / (100.0 * COINCIDENT)).round() as i64));
+        [a.min(b), a.max(b)]
+    }
+
     /// A point close to the middle on the left, and one on the right.
     fn sides(&self) -> [DVec2; 2] {
         let middle = (self.a + self.b) * 0.5;
@@ -85,8 +104,8 @@ impl Edge {
 }
 
 /// +1 for a body, −1 for a hole: a contour all of whose pieces lie inside an odd number of the other contours.
-fn signs(strips: &Strips, pieces: &[Edge], count: usize) -> Vec<i32> {
-    // None until the contour's first piece that borders or lies in its own inside.
+fn signs(strips: &Strips, pieces: &[Edge], count: usize) -> Result<Vec<i32>, ShapeError> {
+    // None until the contour's first piece that borders or lies in its own inside. All lists ascend.
     let mut holders: Vec<Option<Vec<usize>>> = vec![None; count];
     for piece in pieces {
         let holders = &mut holders[piece.contour];
@@ -97,16 +116,19 @@ fn signs(strips: &Strips, pieces: &[Edge], count: usize) -> Vec<i32> {
             // On an edge shared with another contour only the contour's own inner side tells what holds it.
             let mut around = Vec::new();
             strips.enclosing(side, |contour| around.push(contour));
-            if around.contains(&piece.contour) {
+            if around.binary_search(&piece.contour).is_ok() {
                 match holders {
                     None => *holders = Some(around),
-                    Some(known) => known.retain(|contour| around.contains(contour)),
+                    Some(known) => known.retain(|contour| around.binary_search(contour).is_ok()),
                 }
             }
         }
+        bounded(strips.scanned())?;
     }
-    let holds = |outer: usize, inner: usize| holders[inner].as_ref().is_some_and(|list| list.contains(&outer));
-    (0..count)
+    let holds = |outer: usize, inner: usize| {
+        holders[inner].as_ref().is_some_and(|list: &Vec<usize>| list.binary_search(&outer).is_ok())
+    };
+    let signs = (0..count)
         .map(|inner| {
             let depth = holders[inner]
                 .iter()
@@ -116,7 +138,8 @@ fn signs(strips: &Strips, pieces: &[Edge], count: usize) -> Vec<i32> {
                 .count();
             if depth % 2 == 1 { -1 } else { 1 }
         })
-        .collect()
+        .collect();
+    Ok(signs)
 }
 
 /// Where edges are to be cut, as sorted (edge, parameter); `None` if the contours are simple and nowhere touch.
@@ -135,25 +158,23 @@ fn contacts(edges: &[Edge], contours: &[Vec<DVec2>]) -> Result<Option<Vec<(u32, 
         }
     };
 
-    let mut touching = false;
+    let (mut touching, mut visits) = (false, 0);
     let mut cuts = Vec::new();
     for_close_pairs(edges, |first, second| {
+        visits += 1;
         let consecutive = follows(first, second) || follows(second, first);
         let contact = Contact::of(&edges[first], &edges[second], consecutive);
         touching |= contact.touching;
         cuts.extend(contact.on_first.into_iter().flatten().map(|t| (first as u32, t)));
         cuts.extend(contact.on_second.into_iter().flatten().map(|t| (second as u32, t)));
         // Pairs that share several buckets come several times; a few is what they do on average.
-        cuts.len() <= 4 * MOST_CUTS
+        cuts.len() <= 4 * MOST_CUTS && visits <= MOST_WORK
     });
-    let complete = cuts.len() <= 4 * MOST_CUTS;
+    let complete = cuts.len() <= 4 * MOST_CUTS && visits <= MOST_WORK;
     cuts.sort_unstable_by(|left, right| left.0.cmp(&right.0).then(left.1.total_cmp(&right.1)));
     cuts.dedup();
     if !complete || cuts.len() > MOST_CUTS {
-        return Err(ShapeError::Unsupported(format!(
-            "crosses itself hundreds of thousands of times (at most {} are handled); draw a simpler curve",
-            MOST_CUTS / 2
-        )));
+        return Err(ShapeError::Tangled { most: MOST_CUTS / 2 });
     }
     Ok(touching.then_some(cuts))
 }
@@ -205,7 +226,7 @@ fn for_close_pairs(edges: &[Edge], mut visit: impl FnMut(usize, usize) -> bool) 
         .iter()
         .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), edge| (low.min(edge.a), high.max(edge.a)));
     let extent = (high - low).max_element().max(COINCIDENT);
-    let side = ((edges.len() as f64).sqrt() * 2.0).ceil().clamp(1.0, 1024.0);
+    let side = ((edges.len() as f64).sqrt() * 2.0).ceil().clamp(1.0, 2048.0);
     let width = extent / side;
     let side = side as usize;
 

@@ -1,5 +1,7 @@
 //! The signed distance of what closed polygons enclose.
 
+use std::collections::HashSet;
+
 use glam::DVec2;
 
 use super::SignedDistance;
@@ -14,21 +16,24 @@ use std::sync::Arc;
 /// Pieces of an outline shorter than this, in cells, are joined: its true place is needed to a small part of a cell.
 const SHORTEST: f64 = 0.1;
 
+/// More points than any clean outline has; more would exhaust the memory of a page.
+pub(super) const MOST_POINTS: usize = 2_000_000;
+
 impl SignedDistance<2> {
     /// The exact signed distance of the nodes to the outline of what `loops` enclose.
     ///
     /// Loops are closed polygons in [0,1]², y up, of any orientation; the first point may stand again at the end.
     /// A loop encloses what it winds around (non-zero winding, so a loop that crosses itself is filled). A loop that
     /// lies wholly inside an odd number of the others is a hole, any other adds its inside; loops that partly overlap
-    /// unite. Only the outline of the result counts: strokes inside it have no distance of their own.
+    /// unite; equal loops count once. Only the outline of the result counts: strokes inside it have no distance of their own.
     ///
     /// # Errors
     ///
     /// No loop, fewer than three different points, a coordinate that is not finite, less than
-    /// [`CLEARANCE`](super::CLEARANCE) cells to the border, no area, no node of the grid inside, or more than a
-    /// quarter of a million crossings.
+    /// [`CLEARANCE`](super::CLEARANCE) cells to the border, no area, no node of the grid inside or
+    /// too few along thin parts, or very many crossings.
     pub fn from_loops(grid: Grid<2>, loops: &[Vec<DVec2>]) -> Result<Self, ShapeError> {
-        let contours = clean(loops)?;
+        let contours = distinct(clean(loops)?);
         check_box(grid, &contours)?;
         let (region, segments) = outline(&contours)?;
         Self::of_region(grid, &region, &segments)
@@ -44,7 +49,9 @@ impl SignedDistance<2> {
             return Err(ShapeError::TooSmall { cells: grid.cells() });
         }
         let outline = Hypersurface::from_segments(segments, SHORTEST * grid.spacing(), grid.spacing());
-        Ok(Self { grid, values: distances(grid, segments, &inside), outline: Some(Arc::new(outline)) })
+        let distance = Self { grid, values: distances(grid, segments, &inside), outline: Some(Arc::new(outline)) };
+        distance.check_resolved(segments.iter().map(|[a, b]| (*b - *a).abs().element_sum()).sum())?;
+        Ok(distance)
     }
 }
 
@@ -67,10 +74,29 @@ fn distances(grid: Grid<2>, segments: &[[DVec2; 2]], inside: &[bool]) -> Vec<f64
     values
 }
 
+/// Each contour once, wherever it starts and whichever way it goes: the same curve drawn twice is one curve.
+fn distinct(mut contours: Vec<Vec<DVec2>>) -> Vec<Vec<DVec2>> {
+    let mut seen = HashSet::with_capacity(contours.len());
+    contours.retain(|points| {
+        let count = points.len();
+        let first =
+            (0..count).min_by(|&a, &b| points[a].x.total_cmp(&points[b].x).then(points[a].y.total_cmp(&points[b].y)));
+        let first = first.unwrap_or(0);
+        let walk =
+            |step: usize| (0..count).map(move |k| points[(first + k * step) % count].to_array().map(f64::to_bits));
+        let (forth, back): (Vec<_>, Vec<_>) = (walk(1).collect(), walk(count - 1).collect());
+        seen.insert(forth.min(back))
+    });
+    contours
+}
+
 /// The loops without repeated points.
 fn clean(loops: &[Vec<DVec2>]) -> Result<Vec<Vec<DVec2>>, ShapeError> {
     if loops.iter().all(Vec::is_empty) {
         return Err(ShapeError::Empty);
+    }
+    if loops.iter().map(Vec::len).sum::<usize>() > MOST_POINTS {
+        return Err(ShapeError::TooManyPoints { most: MOST_POINTS });
     }
     let mut contours = Vec::with_capacity(loops.len());
     for (index, points) in loops.iter().enumerate() {

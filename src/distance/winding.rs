@@ -1,5 +1,7 @@
 //! What a set of closed contours encloses: non-zero winding, bodies and holes.
 
+use std::cell::Cell;
+
 use glam::DVec2;
 
 /// A step off the nodes in a direction that edges hardly have, the golden section's.
@@ -84,6 +86,8 @@ pub(super) struct Strips<'a> {
     /// Members of strip s: `members[starts[s]..starts[s + 1]]`, in the order of the edges, hence grouped by contour.
     starts: Vec<usize>,
     members: Vec<u32>,
+    /// Edges that all rays so far have looked at.
+    scanned: Cell<usize>,
 }
 
 impl<'a> Strips<'a> {
@@ -94,7 +98,8 @@ impl<'a> Strips<'a> {
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), edge| (low.min(edge.a.y), high.max(edge.a.y)));
         let per_length = if high > low { count as f64 / (high - low) } else { 0.0 };
-        let mut strips = Self { region, low, per_length, starts: vec![0; count + 1], members: Vec::new() };
+        let mut strips =
+            Self { region, low, per_length, starts: vec![0; count + 1], members: Vec::new(), scanned: Cell::new(0) };
         for edge in &region.edges {
             for strip in strips.span(edge) {
                 strips.starts[strip + 1] += 1;
@@ -123,11 +128,18 @@ impl<'a> Strips<'a> {
         self.strip(edge.a.y.min(edge.b.y))..=self.strip(edge.a.y.max(edge.b.y))
     }
 
-    /// Calls `found` with every contour that winds around `point`.
+    /// What the rays so far have cost, in edges.
+    pub fn scanned(&self) -> usize {
+        self.scanned.get()
+    }
+
+    /// Calls `found` with every contour that winds around `point`, in ascending order.
     pub fn enclosing(&self, point: DVec2, mut found: impl FnMut(usize)) {
         let strip = self.strip(point.y);
         let (mut contour, mut winding) = (usize::MAX, 0);
-        for &member in &self.members[self.starts[strip]..self.starts[strip + 1]] {
+        let members = &self.members[self.starts[strip]..self.starts[strip + 1]];
+        self.scanned.set(self.scanned.get() + members.len());
+        for &member in members {
             let edge = &self.region.edges[member as usize];
             if edge.contour != contour {
                 if winding != 0 {

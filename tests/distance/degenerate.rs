@@ -1,6 +1,7 @@
 //! Random loops full of repeats, shared edges and corners, and triple crossings.
 
 use std::f64::consts::TAU;
+use std::mem::discriminant;
 
 use glam::DVec2;
 use proptest::prelude::*;
@@ -46,7 +47,10 @@ proptest! {
             Err(error) => {
                 let expected = matches!(
                     error,
-                    ShapeError::NoArea | ShapeError::TooFewPoints { .. } | ShapeError::TooSmall { .. }
+                    ShapeError::NoArea
+                        | ShapeError::TooFewPoints { .. }
+                        | ShapeError::TooSmall { .. }
+                        | ShapeError::TooThin { .. }
                 );
                 prop_assert!(expected, "{}", error);
             }
@@ -66,7 +70,8 @@ proptest! {
             (Ok(one), Ok(two)) => for (a, b) in one.values().iter().zip(two.values()) {
                 prop_assert!((a - b).abs() < 1e-8);
             },
-            (one, two) => prop_assert_eq!(one.err(), two.err()),
+            // The share of an outline that a grid sees may be rounded differently.
+            (one, two) => prop_assert_eq!(one.err().as_ref().map(discriminant), two.err().as_ref().map(discriminant)),
         }
     }
 

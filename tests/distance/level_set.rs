@@ -115,3 +115,25 @@ fn a_coarser_grid_takes_the_common_nodes_and_a_finer_one_interpolates() {
         }
     }
 }
+
+#[test]
+fn zero_is_outside_whatever_its_sign() {
+    let grid = Grid::<2>::new(16);
+    // A disc through many nodes, and as many zeros of both signs.
+    let value = |zero: f64| {
+        move |node: usize| {
+            let [x, y] = grid.node_index(node).map(|i| i as f64 - 8.0);
+            let value = (x * x + y * y - 25.0) / 160.0;
+            if value == 0.0 { zero } else { value }
+        }
+    };
+    let with = |zero: f64| -> Vec<f64> { (0..grid.node_count()).map(value(zero)).collect() };
+    let (positive, negative) = (with(0.0), with(-0.0));
+    assert!(positive.iter().filter(|value| **value == 0.0).count() > 10);
+    let distances = [&positive, &negative].map(|values| SignedDistance::redistance(grid, values).unwrap());
+    assert_eq!(distances[0].values(), distances[1].values());
+    for (before, after) in positive.iter().zip(distances[0].values()) {
+        assert_eq!(*before < 0.0, *after < 0.0);
+    }
+    assert_eq!(zero_set(grid, &positive), zero_set(grid, &negative));
+}

@@ -120,6 +120,16 @@ fn loops_that_share_an_edge_or_repeat_each_other_unite_without_a_seam() {
 }
 
 #[test]
+fn an_outline_that_loops_share_is_as_long_as_one() {
+    let square = rectangle([0.2, 0.2], [0.8, 0.6]);
+    // The same square again with a corner more, so that the loops are not equal.
+    let mut other = square.clone();
+    other.insert(1, DVec2::new(0.5, 0.2));
+    let distance = from_loops(64, &[square, other]);
+    assert!((distance.outline().measure() - 2.0).abs() < 1e-9, "{}", distance.outline().measure());
+}
+
+#[test]
 fn strokes_that_enclose_nothing_leave_no_trace() {
     let plain = rectangle([0.3, 0.3], [0.7, 0.7]);
     let mut haired = plain.clone();

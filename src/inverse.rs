@@ -1,5 +1,9 @@
 //! The inverse of a deformation.
 
+mod points;
+
+pub use points::Inverse;
+
 use crate::field::{interpolate, interpolate_derivative};
 use crate::grid::Grid;
 use crate::small::{apply, cofactor, determinant, dot};

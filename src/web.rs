@@ -1,5 +1,7 @@
 //! The JavaScript interface: conversions only.
 
+mod memory;
+mod queue;
 mod read;
 mod settings;
 mod shape;
@@ -9,14 +11,16 @@ use crate::contour::zero_set;
 use crate::distance::SignedDistance;
 use crate::error::Error;
 use crate::field::interpolate;
+use crate::inverse::Inverse;
 use crate::ready::ready;
 use crate::report::report;
 use crate::search::Search;
 use crate::settings::{Pin, Settings};
 use crate::shape::Shape;
 use glam::DVec2;
-use js_sys::{Array, Float64Array, Object, Reflect};
-use read::property;
+use js_sys::{Array, Float64Array, Object, Promise, Reflect};
+use queue::{Queue, promise};
+use read::{numbers, property, snapshot, whole, wrong};
 use serde::Serialize;
 use settings::Chosen;
 use shape::read_shape;
@@ -54,6 +58,11 @@ export interface Curves {
 /// The registration of a reference shape with a template.
 #[wasm_bindgen]
 pub struct Registration {
+    queue: Queue<State>,
+}
+
+/// What is worked on, by one at a time.
+struct State {
     search: Search<2>,
     source: Source,
     /// The zero sets of reference and template, and the level they were extracted on.
@@ -69,42 +78,122 @@ struct Source {
     chosen: Chosen,
 }
 
+/// A change as it was read.
+struct Change {
+    reference: Option<Shape>,
+    template: Option<Shape>,
+    settings: JsValue,
+}
+
 #[wasm_bindgen]
 impl Registration {
     /// Prepares a registration; rejects with an Error that says what is wrong and what to do.
-    pub async fn create(
+    #[wasm_bindgen(unchecked_return_type = "Promise<Registration>")]
+    pub fn create(
         #[wasm_bindgen(unchecked_param_type = "Shape")] reference: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Shape")] template: JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "Partial<Settings>")] settings: JsValue,
-    ) -> Result<Registration, JsError> {
-        let source = Source {
-            reference: read_shape("reference", &reference)?,
-            template: read_shape("template", &template)?,
-            chosen: Chosen::default().with(&settings)?,
-        };
-        let (settings, [reference, template]) = source.prepare()?;
-        let search = Search::new(reference, template, settings).await?;
-        let mut registration = Self { search, source, curves: Default::default(), curves_level: 0 };
-        registration.extract_curves();
-        Ok(registration)
+    ) -> Promise {
+        // Read at once: the caller may change or transfer what was given as soon as this returns.
+        let source = Source::read(&reference, &template, &settings);
+        promise(async move {
+            let state = State::new(source?).await?;
+            Ok(Self { queue: Queue::new(state) }.into())
+        })
     }
 
     /// Goes on from the present deformation with other shapes or settings; what is not given stays. Continues on the
     /// current level, or the nearest one of the new settings, so that a small change costs a few iterations only.
-    /// Rejects like `create`, and then nothing has changed.
-    #[wasm_bindgen(unchecked_return_type = "Status")]
-    pub async fn update(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Update")] change: JsValue,
+    /// Rejects like `create`, and then nothing has changed. Waits for steps and updates under way.
+    #[wasm_bindgen(unchecked_return_type = "Promise<Status>")]
+    pub fn update(&self, #[wasm_bindgen(unchecked_param_type = "Update")] change: JsValue) -> Promise {
+        let change = Change::read(&change);
+        self.queue.enqueue(async move |state: &mut State| state.update(change?).await)
+    }
+
+    /// Does up to `iterations` iterations, a whole number from 1 up; nothing once finished. Waits for steps and updates
+    /// under way.
+    #[wasm_bindgen(unchecked_return_type = "Promise<Status>")]
+    pub fn step(&self, #[wasm_bindgen(unchecked_param_type = "number")] iterations: JsValue) -> Promise {
+        let needed = "a whole number from 1 up, as in step(5)";
+        let iterations = whole(&iterations, 1.0).ok_or_else(|| wrong("the number of steps", &iterations, needed));
+        self.queue.enqueue(async move |state: &mut State| state.step(iterations?).await)
+    }
+
+    /// The settings in force, defaults filled in.
+    #[wasm_bindgen(unchecked_return_type = "Settings")]
+    pub fn settings(&self) -> Result<JsValue, JsError> {
+        self.queue.now(|state| Ok(state.source.chosen.to_js()))
+    }
+
+    /// φ at the nodes of the current level: x y x y …, x fastest, domain units.
+    pub fn deformation(&self) -> Result<Vec<f64>, JsError> {
+        self.queue.now(|state| {
+            let grid = state.search.grid();
+            let positions = (0..grid.node_count()).flat_map(|node| grid.position(node));
+            Ok(positions.zip(state.search.displacement()).map(|(x, u)| x + u).collect())
+        })
+    }
+
+    /// Energies and gradient of the current level at a deformation of the same form as `deformation()`.
+    #[wasm_bindgen(unchecked_return_type = "Evaluation")]
+    pub fn evaluate(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Float64Array")] deformation: JsValue,
     ) -> Result<JsValue, JsError> {
+        let deformation = numbers("the deformation", &deformation)?;
+        self.queue.now(|state| state.evaluate(&deformation))
+    }
+
+    /// The zero sets on the current level, and φ of the reference's.
+    #[wasm_bindgen(unchecked_return_type = "Curves")]
+    pub fn curves(&self) -> Result<JsValue, JsError> {
+        self.queue.now(|state| Ok(state.curves()))
+    }
+
+    /// φ at points x y x y …, domain units; beyond the box the boundary cell's polynomial goes on.
+    pub fn map(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Float64Array")] points: JsValue,
+    ) -> Result<Vec<f64>, JsError> {
+        let points = read_points(&points)?;
+        self.queue.now(|state| Ok(points.into_iter().flat_map(|point| state.move_point(point).to_array()).collect()))
+    }
+
+    /// φ⁻¹ at points x y x y … of the image of the box; NaN outside of it.
+    #[wasm_bindgen(js_name = inverseMap)]
+    pub fn inverse_map(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Float64Array")] points: JsValue,
+    ) -> Result<Vec<f64>, JsError> {
+        let points = read_points(&points)?;
+        self.queue.now(|state| {
+            let inverse = Inverse::new(state.search.grid(), state.search.displacement());
+            let outside = [f64::NAN; 2];
+            Ok(points.into_iter().flat_map(|point| inverse.at(&point.to_array()).unwrap_or(outside)).collect())
+        })
+    }
+
+    /// Lets go of the memory. Steps under way still answer; whatever is asked afterwards is refused.
+    pub fn free(&self) {
+        self.queue.close();
+    }
+}
+
+impl State {
+    async fn new(source: Source) -> Result<Self, JsError> {
+        let (settings, [reference, template]) = source.prepare()?;
+        let search = Search::new(reference, template, settings).await?;
+        let mut state = Self { search, source, curves: Default::default(), curves_level: 0 };
+        state.extract_curves();
+        Ok(state)
+    }
+
+    async fn update(&mut self, change: Change) -> Result<JsValue, JsError> {
         let mut source = self.source.clone();
-        for (name, shape) in [("reference", &mut source.reference), ("template", &mut source.template)] {
-            let given = property("the change", &change, name)?;
-            if !given.is_undefined() {
-                *shape = read_shape(name, &given)?;
-            }
-        }
-        source.chosen = source.chosen.with(&property("the change", &change, "settings")?)?;
+        source.reference = change.reference.unwrap_or(source.reference);
+        source.template = change.template.unwrap_or(source.template);
+        source.chosen = source.chosen.with(&change.settings)?;
         let (settings, [reference, template]) = source.prepare()?;
         self.search.update(reference, template, settings).await?;
         self.source = source;
@@ -112,9 +201,7 @@ impl Registration {
         self.status()
     }
 
-    /// Does up to `iterations` iterations; nothing once finished.
-    #[wasm_bindgen(unchecked_return_type = "Status")]
-    pub async fn step(&mut self, iterations: u32) -> Result<JsValue, JsError> {
+    async fn step(&mut self, iterations: usize) -> Result<JsValue, JsError> {
         for _ in 0..iterations {
             if self.search.progress().stop.is_some() {
                 break;
@@ -124,24 +211,9 @@ impl Registration {
         self.status()
     }
 
-    /// The settings in force, defaults filled in.
-    #[wasm_bindgen(unchecked_return_type = "Settings")]
-    pub fn settings(&self) -> JsValue {
-        self.source.chosen.to_js()
-    }
-
-    /// φ at the nodes of the current level: x y x y …, x fastest, domain units.
-    pub fn deformation(&self) -> Vec<f64> {
+    fn evaluate(&mut self, deformation: &[f64]) -> Result<JsValue, JsError> {
         let grid = self.search.grid();
-        let positions = (0..grid.node_count()).flat_map(|node| grid.position(node));
-        positions.zip(self.search.displacement()).map(|(x, u)| x + u).collect()
-    }
-
-    /// Energies and gradient of the current level at a deformation of the same form as `deformation()`.
-    #[wasm_bindgen(unchecked_return_type = "Evaluation")]
-    pub fn evaluate(&mut self, deformation: Vec<f64>) -> Result<JsValue, JsError> {
-        let grid = self.search.grid();
-        check_array("deformation", &deformation, 2 * grid.node_count(), || {
+        check_array("deformation", deformation, 2 * grid.node_count(), || {
             format!("x and y at the {} nodes of level {}", grid.node_count(), self.search.progress().level)
         })?;
         let positions = (0..grid.node_count()).flat_map(|node| grid.position(node));
@@ -151,9 +223,7 @@ impl Registration {
         to_js(&Evaluation::new(&evaluated, gradient))
     }
 
-    /// The zero sets on the current level, and φ of the reference's.
-    #[wasm_bindgen(unchecked_return_type = "Curves")]
-    pub fn curves(&mut self) -> JsValue {
+    fn curves(&mut self) -> JsValue {
         self.update_curves();
         let [reference, template] = &self.curves;
         let matched: Vec<Vec<DVec2>> =
@@ -173,14 +243,6 @@ impl Registration {
         curves.into()
     }
 
-    /// φ at points x y x y …, domain units; beyond the box the boundary cell's polynomial goes on.
-    pub fn map(&self, points: Vec<f64>) -> Result<Vec<f64>, JsError> {
-        check_array("points", &points, points.len().next_multiple_of(2), || "x and y of every point".into())?;
-        Ok(points.chunks_exact(2).flat_map(|p| self.move_point(DVec2::new(p[0], p[1])).to_array()).collect())
-    }
-}
-
-impl Registration {
     fn move_point(&self, point: DVec2) -> DVec2 {
         point + DVec2::from(interpolate::<2, 2>(self.search.grid(), self.search.displacement(), &point.to_array()))
     }
@@ -216,8 +278,17 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsError> {
 }
 
 impl Source {
+    fn read(reference: &JsValue, template: &JsValue, settings: &JsValue) -> Result<Self, JsError> {
+        Ok(Self {
+            reference: read_shape("reference", reference)?,
+            template: read_shape("template", template)?,
+            chosen: Chosen::default().with(settings)?,
+        })
+    }
+
     fn prepare(&self) -> Result<(Settings, [SignedDistance<2>; 2]), JsError> {
         let settings = self.chosen.settings;
+        memory::check(&settings)?;
         // The functional does not know them yet.
         Pin::<2>::read(&self.chosen.pins)?;
         let distance = |name, shape: &Shape| {
@@ -225,6 +296,24 @@ impl Source {
         };
         Ok((settings, [distance("reference", &self.reference)?, distance("template", &self.template)?]))
     }
+}
+
+impl Change {
+    fn read(change: &JsValue) -> Result<Self, JsError> {
+        let shape = |name| -> Result<Option<Shape>, JsError> {
+            let given = property("the change", change, name)?;
+            if given.is_undefined() { Ok(None) } else { read_shape(name, &given).map(Some) }
+        };
+        let (reference, template) = (shape("reference")?, shape("template")?);
+        let settings = snapshot("settings", &property("the change", change, "settings")?)?;
+        Ok(Self { reference, template, settings })
+    }
+}
+
+fn read_points(points: &JsValue) -> Result<Vec<DVec2>, JsError> {
+    let numbers = numbers("points", points)?;
+    check_array("points", &numbers, numbers.len().next_multiple_of(2), || "x and y of every point".into())?;
+    Ok(numbers.chunks_exact(2).map(|p| DVec2::new(p[0], p[1])).collect())
 }
 
 fn check_array(name: &'static str, values: &[f64], expected: usize, why: impl FnOnce() -> String) -> Result<(), Error> {

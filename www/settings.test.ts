@@ -157,7 +157,7 @@ describe("a message", () => {
       [new Proxy({ bending: 1 }, { get: throwing }), "bending cannot be read"],
       [revoked.proxy, "settings cannot be read"],
       [{ bending: revoked.proxy }, "bending is an object"],
-      [{ pins: new Proxy(new Float64Array(4), {}) }, "pins cannot be read: it throws"],
+      [{ pins: new Proxy(new Float64Array(4), {}) }, "pins is an object, but must be a Float64Array"],
       [{ pins: detached }, "pins cannot be read: it throws"],
     ] as const)
       expect(await refusal(given)).toContain(part);

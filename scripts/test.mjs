@@ -5,6 +5,7 @@ import { once } from "node:events";
 import { existsSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
 import { join } from "node:path";
+import { fuzz } from "./fuzz.mjs";
 import { driverEnvironment, ensureChromium } from "./lib/chromium.mjs";
 import { heading, main, Obstacle, root, run } from "./lib/process.mjs";
 import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setup.mjs";
@@ -14,6 +15,7 @@ import { buildWasm } from "./wasm.mjs";
 /** @typedef {{ passed: number, failed: number }} Count */
 
 const WASM = ["--target", "wasm32-unknown-unknown"];
+const FUZZ_CASES = 2000;
 // In a glob, so that a second file of browser tests needs no word here.
 const BROWSER_TESTS = ["--test", "wasm*"];
 
@@ -58,6 +60,14 @@ const STEPS = {
       const { code } = await run(...program("vitest/vitest.mjs", ["run", ...reporters]));
       const result = read(file);
       return reconcile(code, { passed: result?.numPassedTests ?? 0, failed: result?.numFailedTests ?? 0 });
+    },
+  },
+  fuzz: {
+    title: "fuzz: the package under strange inputs and calls",
+    check: async () => {
+      await buildWasm();
+      const { right, refused, defects } = await fuzz(FUZZ_CASES);
+      return { passed: right + refused, failed: defects };
     },
   },
   build: {

@@ -1,19 +1,17 @@
 //! Coarse to fine: Algorithm 1 of the paper, one iteration at a time.
 
 mod level;
-mod loading;
 mod start;
 
 use crate::assemble::{Assembler, Evaluation};
 use crate::distance::SignedDistance;
-use crate::energy::Energies;
+use crate::energy::{Energies, Pin};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::minimize::{Progress, Stop};
 use crate::prolongation::{coarsen, prolongate};
 use crate::settings::{Alignment, Settings};
 use level::Level;
-use loading::Loading;
 use std::rc::Rc;
 
 /// The multigrid works in single precision: energies, and with them squares of residuals, beyond this would overflow.
@@ -24,11 +22,26 @@ pub struct Cascade<const D: usize> {
     settings: Settings,
     /// The shell and its aim on the finest level.
     shapes: [Rc<SignedDistance<D>>; 2],
+    ties: Ties<D>,
     level: Level<D>,
-    loading: Option<Loading>,
     /// Evaluations before this level.
     past_evaluations: usize,
     progress: Progress,
+}
+
+/// Points of the shell that are tied to points of its aim.
+#[derive(Clone, Default)]
+pub(crate) struct Ties<const D: usize> {
+    /// By the user.
+    pub pins: Rc<[Pin<D>]>,
+    /// To lead the shell on levels before the finest.
+    pub guide: Rc<[Pin<D>]>,
+}
+
+impl<const D: usize> Ties<D> {
+    pub fn of(pins: Rc<[Pin<D>]>) -> Self {
+        Self { pins, guide: Rc::default() }
+    }
 }
 
 /// Where a cascade stands.
@@ -52,24 +65,29 @@ impl<const D: usize> Cascade<D> {
     /// A setting out of range, or no finite energy to begin with.
     pub async fn new(shell: SignedDistance<D>, aim: SignedDistance<D>, settings: Settings) -> Result<Self, Error> {
         settings.validate()?;
-        Self::begin([Rc::new(shell), Rc::new(aim)], settings).await
+        Self::begin([Rc::new(shell), Rc::new(aim)], Ties::default(), settings).await
     }
 
     /// With valid settings, from the start that they ask for.
-    pub(crate) async fn begin(shapes: [Rc<SignedDistance<D>>; 2], settings: Settings) -> Result<Self, Error> {
-        let mut level = Level::new(first_level(&settings, &shapes), &settings, &shapes, None);
+    pub(crate) async fn begin(
+        shapes: [Rc<SignedDistance<D>>; 2],
+        ties: Ties<D>,
+        settings: Settings,
+    ) -> Result<Self, Error> {
+        let mut level = Level::new(first_level(&settings, &shapes), &settings, &shapes, &ties, None);
         let mut evaluations = 1;
         if settings.alignment == Alignment::Similarity {
             let displacement = start::find(&mut level.assembler, &shapes, &settings, &mut evaluations).await;
             level.restart(&settings, displacement);
         }
-        Self::at(shapes, settings, level, evaluations).await
+        Self::at(shapes, ties, settings, level, evaluations).await
     }
 
     /// From a displacement on a grid, taken to the level of that number or the nearest one that the settings have and
     /// that carries both shapes.
     pub(crate) async fn resume(
         shapes: [Rc<SignedDistance<D>>; 2],
+        ties: Ties<D>,
         settings: Settings,
         number: u32,
         mut grid: Grid<D>,
@@ -84,13 +102,14 @@ impl<const D: usize> Cascade<D> {
             displacement = coarsen(grid, &displacement);
             grid = Grid::new(grid.cells() / 2);
         }
-        let mut level = Level::new(number, &settings, &shapes, Some(displacement));
+        let mut level = Level::new(number, &settings, &shapes, &ties, Some(displacement));
         level.unfold(&settings).await;
-        Self::at(shapes, settings, level, 1).await
+        Self::at(shapes, ties, settings, level, 1).await
     }
 
     async fn at(
         shapes: [Rc<SignedDistance<D>>; 2],
+        ties: Ties<D>,
         settings: Settings,
         mut level: Level<D>,
         past_evaluations: usize,
@@ -101,12 +120,7 @@ impl<const D: usize> Cascade<D> {
         let evaluation = level.energy().await;
         check_energy(&evaluation)?;
         let progress = Progress { evaluation, iterations: 0, evaluations: 0, stop: None };
-        Ok(Self { settings, shapes, level, loading: None, past_evaluations, progress })
-    }
-
-    /// Draws the shell in small steps, see [`Loading`].
-    pub(crate) fn load_incrementally(&mut self) {
-        self.loading = Some(Loading::default());
+        Ok(Self { settings, shapes, ties, level, past_evaluations, progress })
     }
 
     /// Ends the present level after this many iterations.
@@ -119,17 +133,12 @@ impl<const D: usize> Cascade<D> {
         if self.progress.stop.is_some() && self.level.number < self.settings.finest {
             let displacement = prolongate(self.grid(), self.level.displacement());
             self.past_evaluations += self.progress.evaluations;
-            self.level = Level::new(self.level.number + 1, &self.settings, &self.shapes, Some(displacement));
+            let number = self.level.number + 1;
+            self.level = Level::new(number, &self.settings, &self.shapes, &self.ties, Some(displacement));
             self.level.unfold(&self.settings).await;
-            if let Some(loading) = &mut self.loading {
-                loading.restart();
-            }
             self.progress = Progress { iterations: 0, evaluations: 0, stop: None, ..self.progress };
         }
         if self.progress.stop.is_none() {
-            if let Some(loading) = &mut self.loading {
-                loading.advance(&mut self.level, &self.settings, &self.progress);
-            }
             self.progress = self.level.step().await;
         }
         self.progress()
@@ -178,9 +187,10 @@ fn first_level<const D: usize>(settings: &Settings, shapes: &[Rc<SignedDistance<
 }
 
 fn check_energy(evaluation: &Evaluation) -> Result<(), Error> {
-    let Energies { membrane, bending, mismatch, volume } = evaluation.energies;
+    let Energies { membrane, bending, mismatch, volume, pins } = evaluation.energies;
     let most = GREATEST_ENERGY;
-    let terms = [("membrane", membrane), ("bending", bending), ("mismatch", mismatch), ("volume", volume)];
+    let terms =
+        [("membrane", membrane), ("bending", bending), ("mismatch", mismatch), ("volume", volume), ("pins", pins)];
     match terms.into_iter().find(|(_, value)| value.is_nan() || *value > most) {
         Some((term, value)) => Err(Error::NoEnergy { term, value, most }),
         None => Ok(()),

@@ -12,6 +12,7 @@
 mod bending;
 mod membrane;
 mod mismatch;
+mod pin;
 mod projected;
 mod spectral;
 mod tangency;
@@ -20,6 +21,7 @@ mod volume;
 pub use bending::{Bending, MeanCurvature};
 pub use membrane::Membrane;
 pub use mismatch::Mismatch;
+pub use pin::Pin;
 pub use projected::ProjectedMembrane;
 pub use tangency::Tangency;
 pub use volume::Volume;
@@ -271,11 +273,12 @@ pub struct Energies {
     pub bending: f64,
     pub mismatch: f64,
     pub volume: f64,
+    pub pins: f64,
 }
 
 impl Energies {
     pub fn total(&self) -> f64 {
-        self.membrane + self.bending + self.mismatch + self.volume
+        self.membrane + self.bending + self.mismatch + self.volume + self.pins
     }
 }
 

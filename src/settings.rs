@@ -5,9 +5,10 @@ mod kind;
 mod pins;
 mod reading;
 
+pub use crate::energy::Pin;
 pub use declaration::{Alignment, Backend, LEAST_LEVEL, MOST_LEVEL, MinimizerKind, PINS, SETTINGS, Settings};
 pub use kind::{Group, Kind, Range, Setting, Value, Words};
-pub use pins::{MOST_PINS, Pin};
+pub use pins::MOST_PINS;
 pub use reading::named;
 
 use crate::energy::{Functional, Material};

@@ -182,8 +182,8 @@ impl Registration {
 
 impl State {
     async fn new(source: Source) -> Result<Self, JsError> {
-        let (settings, [reference, template]) = source.prepare()?;
-        let search = Search::new(reference, template, settings).await?;
+        let (settings, pins, [reference, template]) = source.prepare()?;
+        let search = Search::with_pins(reference, template, settings, &pins).await?;
         let mut state = Self { search, source, curves: Default::default(), curves_level: 0 };
         state.extract_curves();
         Ok(state)
@@ -194,8 +194,8 @@ impl State {
         source.reference = change.reference.unwrap_or(source.reference);
         source.template = change.template.unwrap_or(source.template);
         source.chosen = source.chosen.with(&change.settings)?;
-        let (settings, [reference, template]) = source.prepare()?;
-        self.search.update(reference, template, settings).await?;
+        let (settings, pins, [reference, template]) = source.prepare()?;
+        self.search.update(reference, template, settings, &pins).await?;
         self.source = source;
         self.extract_curves();
         self.status()
@@ -277,6 +277,8 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsError> {
     value.serialize(&serializer).map_err(|error| JsError::new(&error.to_string()))
 }
 
+type Prepared = (Settings, Vec<Pin<2>>, [SignedDistance<2>; 2]);
+
 impl Source {
     fn read(reference: &JsValue, template: &JsValue, settings: &JsValue) -> Result<Self, JsError> {
         Ok(Self {
@@ -286,15 +288,14 @@ impl Source {
         })
     }
 
-    fn prepare(&self) -> Result<(Settings, [SignedDistance<2>; 2]), JsError> {
+    fn prepare(&self) -> Result<Prepared, JsError> {
         let settings = self.chosen.settings;
         memory::check(&settings)?;
-        // The functional does not know them yet.
-        Pin::<2>::read(&self.chosen.pins)?;
+        let pins = Pin::read(&self.chosen.pins)?;
         let distance = |name, shape: &Shape| {
             shape.distance(settings.finest).map_err(|problem| Error::Shape { shape: name, problem })
         };
-        Ok((settings, [distance("reference", &self.reference)?, distance("template", &self.template)?]))
+        Ok((settings, pins, [distance("reference", &self.reference)?, distance("template", &self.template)?]))
     }
 }
 

@@ -3,6 +3,7 @@
 mod bilinear;
 mod corners;
 mod element;
+mod pins;
 mod planar;
 mod shell;
 mod transfer;
@@ -31,6 +32,7 @@ pub struct CpuAssembler<const D: usize, S: Scalar = F64x2> {
     template: TemplateField<D>,
     /// Weight of the volume density by cells, quadrature weights excluded.
     volume_weight: Vec<f64>,
+    pins: Vec<pins::Placed<D>>,
     corner_neighbours: [[usize; MAX_CORNERS]; MAX_CORNERS],
 }
 
@@ -63,14 +65,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             gauss2: Rule::gauss2(),
             vertices: Rule::vertices(),
             volume_weight,
+            pins: Vec::new(),
             corner_neighbours: StencilOperator::<D>::corner_neighbours(),
         }
-    }
-
-    /// Aims at another template.
-    pub fn set_template(&mut self, template: &SignedDistance<D>) {
-        assert_eq!(self.grid, template.grid(), "both shapes live on the level's grid");
-        self.template = TemplateField::new(template, self.functional.fit_radius);
     }
 
     /// Cells that carry shell energies.
@@ -115,6 +112,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         };
         if least_determinant > 0.0 {
             self.shell_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
+            self.pins_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
             if let Some(operator) = operator {
                 // The operator is f32, and so may be what goes into it: four cells at a time instead of two.
                 if D == 2 {

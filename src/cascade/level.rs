@@ -1,3 +1,4 @@
+use super::Ties;
 use crate::assemble::{Assembler, CpuAssembler, Evaluation};
 use crate::distance::SignedDistance;
 use crate::grid::Grid;
@@ -9,6 +10,9 @@ use std::rc::Rc;
 /// this one's minimum are not worth their iterations.
 const COARSE_TOLERANCE: f64 = 1e-4;
 
+/// Weight of each point of a guide.
+const GUIDE_WEIGHT: f64 = 0.3;
+
 /// What one level needs.
 pub(super) struct Level<const D: usize> {
     pub number: u32,
@@ -17,8 +21,6 @@ pub(super) struct Level<const D: usize> {
     shapes: [SignedDistance<D>; 2],
     minimizer: AnyMinimizer<D>,
     limit: usize,
-    /// Of minimisers on this level before the present one.
-    past: Progress,
 }
 
 impl<const D: usize> Level<D> {
@@ -27,26 +29,23 @@ impl<const D: usize> Level<D> {
         number: u32,
         settings: &Settings,
         shapes: &[Rc<SignedDistance<D>>; 2],
+        ties: &Ties<D>,
         displacement: Option<Vec<f64>>,
     ) -> Self {
         let shapes = [0, 1].map(|k| shapes[k].to_cells(1 << number));
-        let assembler = CpuAssembler::new(&settings.functional(number), &shapes[0], &shapes[1]);
+        let mut assembler = CpuAssembler::new(&settings.functional(number), &shapes[0], &shapes[1]);
+        assembler.tie(&ties.pins, settings.pin_weight);
+        if number < settings.finest {
+            assembler.tie(&ties.guide, GUIDE_WEIGHT);
+        }
         let displacement = displacement.unwrap_or_else(|| vec![0.0; shapes[0].grid().node_count() * D]);
         let minimizer = AnyMinimizer::new(number, settings, displacement);
-        Self { number, assembler, shapes, minimizer, limit: usize::MAX, past: Progress::default() }
+        Self { number, assembler, shapes, minimizer, limit: usize::MAX }
     }
 
     /// Begins again from another displacement.
     pub fn restart(&mut self, settings: &Settings, displacement: Vec<f64>) {
         self.minimizer = AnyMinimizer::new(self.number, settings, displacement);
-    }
-
-    /// Goes on from the present displacement with another aim.
-    pub fn aim_at(&mut self, aim: &SignedDistance<D>, settings: &Settings, progress: &Progress) {
-        self.assembler.set_template(aim);
-        self.past = Progress { stop: None, ..*progress };
-        let displacement = self.displacement().to_vec();
-        self.restart(settings, displacement);
     }
 
     /// Starts a little nearer to the identity if the first deformation is not admissible; from the identity at last.
@@ -71,8 +70,6 @@ impl<const D: usize> Level<D> {
 
     pub async fn step(&mut self) -> Progress {
         let mut progress = self.minimizer.step(&mut self.assembler).await;
-        progress.iterations += self.past.iterations;
-        progress.evaluations += self.past.evaluations;
         if progress.iterations >= self.limit {
             progress.stop = progress.stop.or(Some(Stop::Refined));
         }

@@ -1,17 +1,11 @@
 //! Points that the user ties together.
 
+use crate::energy::Pin;
 use crate::error::Error;
 use crate::words::number;
 
 /// More are a shape of their own, and each costs a search in every evaluation.
 pub const MOST_PINS: usize = 1000;
-
-/// φ(`reference`) is drawn to `template`. Domain units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pin<const D: usize> {
-    pub reference: [f64; D],
-    pub template: [f64; D],
-}
 
 impl<const D: usize> Pin<D> {
     /// Reads D numbers on the reference's side and D on the template's, pin by pin.

@@ -16,6 +16,7 @@ pub struct Energies {
     bending: f64,
     mismatch: f64,
     volume: f64,
+    pins: f64,
     total: f64,
 }
 
@@ -75,12 +76,12 @@ pub struct Evaluation {
 impl From<&Evaluated> for Energies {
     fn from(evaluated: &Evaluated) -> Self {
         let infinite = f64::INFINITY;
-        let Weighted { membrane, bending, mismatch, volume } = if evaluated.is_admissible() {
+        let Weighted { membrane, bending, mismatch, volume, pins } = if evaluated.is_admissible() {
             evaluated.energies
         } else {
-            Weighted { membrane: infinite, bending: infinite, mismatch: infinite, volume: infinite }
+            Weighted { membrane: infinite, bending: infinite, mismatch: infinite, volume: infinite, pins: infinite }
         };
-        Self { membrane, bending, mismatch, volume, total: evaluated.total() }
+        Self { membrane, bending, mismatch, volume, pins, total: evaluated.total() }
     }
 }
 

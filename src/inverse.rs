@@ -14,7 +14,7 @@ const MAX_STEPS: usize = 50;
 const ACCURACY: f64 = 1e-8;
 
 /// Sweeps of smoothing that may unfold a nodal inverse.
-const MAX_SWEEPS: usize = 50;
+const MAX_SWEEPS: usize = 200;
 
 /// The displacement of φ⁻¹ at the nodes, φ = x + u; none if some node has no preimage or folds stay.
 ///
@@ -25,7 +25,7 @@ pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec
 }
 
 /// Moves the nodes of folded cells to the mean of their neighbours until no cell folds; none if folds stay.
-pub(crate) fn smooth_folds<const D: usize>(grid: Grid<D>, mut displacement: Vec<f64>) -> Option<Vec<f64>> {
+fn smooth_folds<const D: usize>(grid: Grid<D>, mut displacement: Vec<f64>) -> Option<Vec<f64>> {
     for _ in 0..MAX_SWEEPS {
         let folded = nodes_of_folds(grid, &displacement);
         if folded.is_empty() {

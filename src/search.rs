@@ -4,20 +4,22 @@
 //! the shell must be compressed more than it bears (the other way round it is stretched), where the energies' balance
 //! keeps it out of details, or where the aim has limbs too far from its own. For each there is a step.
 
+mod guide;
 mod plan;
 
 pub use plan::Approach;
 
 use crate::assemble::{Assembler, CpuAssembler, Evaluation};
-use crate::cascade::Cascade;
+use crate::cascade::{Cascade, Ties};
 use crate::distance::SignedDistance;
+use crate::energy::Pin;
 use crate::error::Error;
 use crate::grid::Grid;
-use crate::inverse::{invert, smooth_folds};
+use crate::inverse::invert;
 use crate::minimize::Stop;
-use crate::prolongation::coarsen;
-use crate::report::{Report, report};
+use crate::report::report;
 use crate::settings::{Alignment, Settings};
+use guide::guide;
 use plan::{Fit, Plan};
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -27,14 +29,13 @@ use std::rc::Rc;
 const REFINEMENT: usize = 10;
 /// Iterations of sharpening.
 const SHARPENING: usize = 15;
-/// The level to which [`Approach::Cycled`] goes back: 33 nodes a side.
-const CYCLE_LEVEL: u32 = 5;
 
 /// A registration under way.
 pub struct Search<const D: usize> {
     settings: Settings,
     /// Reference and template on the finest level.
     shapes: [Rc<SignedDistance<D>>; 2],
+    pins: Rc<[Pin<D>]>,
     approach: Approach,
     /// The run of the present approach; from the template to the reference if that is the approach.
     run: Cascade<D>,
@@ -73,17 +74,32 @@ impl<const D: usize> Search<D> {
         template: SignedDistance<D>,
         settings: Settings,
     ) -> Result<Self, Error> {
+        Self::with_pins(reference, template, settings, &[]).await
+    }
+
+    /// With points of the reference tied to points of the template.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub async fn with_pins(
+        reference: SignedDistance<D>,
+        template: SignedDistance<D>,
+        settings: Settings,
+        pins: &[Pin<D>],
+    ) -> Result<Self, Error> {
         settings.validate()?;
+        let pins: Rc<[Pin<D>]> = pins.into();
         let shapes = [Rc::new(reference), Rc::new(template)];
         let mut plan = match settings.alignment {
             Alignment::None => Plan::single(),
             Alignment::Similarity => Plan::of(&shapes[0], &shapes[1]),
         };
         let approach = plan.next(None).expect("a plan has a first approach");
-        let run = Cascade::begin(in_direction(&shapes, approach), settings).await?;
+        let run = Cascade::begin(in_direction(&shapes, approach), tied(&pins, approach), settings).await?;
         Ok(Self {
             settings,
             shapes,
+            pins,
             approach,
             run,
             plan,
@@ -104,14 +120,17 @@ impl<const D: usize> Search<D> {
         reference: SignedDistance<D>,
         template: SignedDistance<D>,
         settings: Settings,
+        pins: &[Pin<D>],
     ) -> Result<(), Error> {
         settings.validate()?;
         let shapes = [Rc::new(reference), Rc::new(template)];
         let displacement = self.displacement().to_vec();
-        let run = Cascade::resume(shapes.clone(), settings, self.progress().level, self.grid(), displacement).await?;
+        let pins: Rc<[Pin<D>]> = pins.into();
+        let (ties, level) = (Ties::of(pins.clone()), self.progress().level);
+        let run = Cascade::resume(shapes.clone(), ties, settings, level, self.grid(), displacement).await?;
         self.past_evaluations = self.progress().evaluations;
         self.inverse.take();
-        (self.shapes, self.settings, self.run) = (shapes, settings, run);
+        (self.shapes, self.pins, self.settings, self.run) = (shapes, pins, settings, run);
         (self.approach, self.plan, self.best, self.stop) = (Approach::Direct, Plan::none(), None, None);
         Ok(())
     }
@@ -133,17 +152,12 @@ impl<const D: usize> Search<D> {
             self.stop = Some(stop);
             return;
         }
-        let fit = Fit::of(&self.judge());
         if self.approach.is_exchanged() {
-            if fit.is_worth_inverting()
-                && let Some(displacement) = invert(self.run.grid(), self.run.displacement())
-                && self.begin_from(Approach::Inverted, self.settings, self.settings.finest, displacement).await
-            {
-                self.run.limit(REFINEMENT);
+            if self.continue_exchanged().await {
                 return;
             }
-        } else if self.best.as_ref().is_none_or(|(best, _)| fit.cost() < best.cost()) {
-            self.best = Some((fit, self.run.displacement().to_vec()));
+        } else {
+            self.consider();
         }
         while let Some(approach) = self.plan.next(self.best.as_ref().map(|(fit, _)| fit)) {
             if self.begin(approach).await {
@@ -153,55 +167,69 @@ impl<const D: usize> Search<D> {
         self.finish(stop).await;
     }
 
-    /// Whether the approach could be begun.
-    async fn begin(&mut self, approach: Approach) -> bool {
-        let settings = approach.settings(&self.settings);
-        let best = self.best.as_ref().map(|(_, displacement)| displacement.clone());
-        match approach {
-            Approach::Sharpened(_) => {
-                let Some(displacement) = best else { return false };
-                let begun = self.begin_from(approach, settings, settings.finest, displacement).await;
-                self.run.limit(SHARPENING);
-                begun
-            }
-            Approach::Cycled => {
-                let Some(mut displacement) = best else { return false };
-                let mut grid = Grid::<D>::of_level(settings.finest);
-                while grid.cells() > 1 << CYCLE_LEVEL {
-                    displacement = coarsen(grid, &displacement);
-                    grid = Grid::new(grid.cells() / 2);
-                }
-                let Some(displacement) = smooth_folds(grid, displacement) else { return false };
-                let level = CYCLE_LEVEL.min(settings.finest);
-                self.resume(approach, settings, level, grid, displacement).await
-            }
-            _ => match Cascade::begin(in_direction(&self.shapes, approach), settings).await {
-                Ok(run) => {
-                    self.enter(approach, run);
-                    if approach.is_loaded() {
-                        self.run.load_incrementally();
-                    }
-                    true
-                }
-                Err(_) => false,
-            },
+    /// Inverts an exchanged match, or sharpens it first; false if it is given up.
+    async fn continue_exchanged(&mut self) -> bool {
+        let fit = self.fit();
+        if fit.is_worth_inverting()
+            && let Some(displacement) = invert(self.run.grid(), self.run.displacement())
+            && self.begin_from(Approach::Inverted, self.settings, displacement).await
+        {
+            // Refinement may also make it worse.
+            self.consider();
+            self.run.limit(REFINEMENT);
+            return true;
+        }
+        let sharper = Approach::SharpenedExchanged;
+        if self.approach == sharper || !fit.is_worth_sharpening() {
+            return false;
+        }
+        let displacement = self.run.displacement().to_vec();
+        let begun = self.begin_from(sharper, sharper.settings(&self.settings), displacement).await;
+        self.run.limit(SHARPENING);
+        begun
+    }
+
+    /// Keeps the present run's result if it is the best so far.
+    fn consider(&mut self) {
+        let fit = self.fit();
+        if self.best.as_ref().is_none_or(|(best, _)| fit.cost() < best.cost()) {
+            self.best = Some((fit, self.run.displacement().to_vec()));
         }
     }
 
-    async fn begin_from(&mut self, approach: Approach, settings: Settings, level: u32, displacement: Vec<f64>) -> bool {
-        self.resume(approach, settings, level, Grid::of_level(self.settings.finest), displacement).await
+    /// Whether the approach could be begun.
+    async fn begin(&mut self, approach: Approach) -> bool {
+        let settings = approach.settings(&self.settings);
+        if let Approach::Sharpened(_) = approach {
+            let Some((_, displacement)) = &self.best else { return false };
+            let begun = self.begin_from(approach, settings, displacement.clone()).await;
+            self.run.limit(SHARPENING);
+            return begun;
+        }
+        match self.start(approach, settings).await {
+            Ok(run) => {
+                self.enter(approach, run);
+                true
+            }
+            Err(_) => false,
+        }
     }
 
-    async fn resume(
-        &mut self,
-        approach: Approach,
-        settings: Settings,
-        level: u32,
-        grid: Grid<D>,
-        displacement: Vec<f64>,
-    ) -> bool {
-        // A deformation that has no finite energy under other settings is no beginning; the next approach is.
-        match Cascade::resume(in_direction(&self.shapes, approach), settings, level, grid, displacement).await {
+    async fn start(&self, approach: Approach, settings: Settings) -> Result<Cascade<D>, Error> {
+        let mut ties = tied(&self.pins, approach);
+        if approach.is_guided() {
+            let pins = guide(&self.shapes, self.best.as_ref().map(|(_, u)| u.as_slice()));
+            ties.guide =
+                pins.into_iter().map(|pin| if approach.is_exchanged() { pin.reversed() } else { pin }).collect();
+        }
+        Cascade::begin(in_direction(&self.shapes, approach), ties, settings).await
+    }
+
+    /// Begins a run on the finest level. A deformation that has no finite energy under other settings is no beginning.
+    async fn begin_from(&mut self, approach: Approach, settings: Settings, displacement: Vec<f64>) -> bool {
+        let (shapes, ties) = (in_direction(&self.shapes, approach), tied(&self.pins, approach));
+        let grid = Grid::of_level(settings.finest);
+        match Cascade::resume(shapes, ties, settings, settings.finest, grid, displacement).await {
             Ok(run) => {
                 self.enter(approach, run);
                 true
@@ -225,16 +253,16 @@ impl<const D: usize> Search<D> {
             && self.run.displacement() == displacement.as_slice();
         if !is_there {
             let origin = fit.approach;
-            if self.begin_from(origin, self.settings, self.settings.finest, displacement).await {
+            if self.begin_from(origin, self.settings, displacement).await {
                 self.stop = Some(Stop::BestOf);
             }
         }
     }
 
-    /// The present run's result, in its own direction.
-    fn judge(&self) -> (Approach, Report<D>) {
+    /// How good the present run's result is, in its own direction.
+    fn fit(&self) -> Fit {
         let [shell, aim] = in_direction(&self.shapes, self.approach);
-        (self.approach, report(&shell, &aim, self.run.displacement()))
+        Fit::of(self.approach, &report(&shell, &aim, self.run.displacement()))
     }
 
     /// The state after the last step, or at the start.
@@ -292,8 +320,14 @@ impl<const D: usize> Search<D> {
         }
         let functional = self.settings.functional(self.run.progress().level);
         let mut assembler: CpuAssembler<D> = CpuAssembler::new(&functional, self.reference(), self.template());
+        assembler.tie(&self.pins, self.settings.pin_weight);
         assembler.gradient(displacement, gradient).await
     }
+}
+
+/// The pins in the direction of the approach.
+fn tied<const D: usize>(pins: &Rc<[Pin<D>]>, approach: Approach) -> Ties<D> {
+    Ties::of(if approach.is_exchanged() { pins.iter().map(|pin| pin.reversed()).collect() } else { pins.clone() })
 }
 
 /// The shell and its aim.

@@ -257,7 +257,7 @@ fn an_update_goes_on_from_the_deformation_there_is() {
     let mut cascade = ready(Search::new(reference.clone(), template, settings)).expect("valid settings");
     while ready(cascade.step()).stop.is_none() {}
     let near = distance(6, leaf([0.505, 0.5], 0.2, 0.2, 0.05));
-    ready(cascade.update(reference.clone(), near.clone(), settings)).expect("valid settings");
+    ready(cascade.update(reference.clone(), near.clone(), settings, &[])).expect("valid settings");
     assert_eq!(cascade.progress().level, 6, "a small change stays on the finest level");
     let mut steps = 0;
     while ready(cascade.step()).stop.is_none() {
@@ -267,7 +267,7 @@ fn an_update_goes_on_from_the_deformation_there_is() {
     let result = report(&reference, &near, cascade.displacement());
     assert!(result.mismatch.max < 0.5, "{}", result.mismatch.max);
     let coarser = Settings { finest: 5, ..settings };
-    ready(cascade.update(reference.to_cells(32), near.to_cells(32), coarser)).expect("valid settings");
+    ready(cascade.update(reference.to_cells(32), near.to_cells(32), coarser, &[])).expect("valid settings");
     assert_eq!(cascade.progress().level, 5);
     assert!(cascade.progress().evaluation.is_admissible());
 }

@@ -59,7 +59,7 @@ fn an_update_without_finite_energy_is_refused_and_changes_nothing() {
     ready(cascade.step());
     let before = (cascade.displacement().to_vec(), cascade.progress().evaluations);
     let huge = SignedDistance::from_nodal(template.grid(), template.values().iter().map(|d| d * 1e160).collect());
-    let refused = ready(cascade.update(reference, huge, settings)).err();
+    let refused = ready(cascade.update(reference, huge, settings, &[])).err();
     assert!(matches!(refused, Some(Error::NoEnergy { .. })), "{refused:?}");
     assert_eq!((cascade.displacement().to_vec(), cascade.progress().evaluations), before);
     assert!(end(&mut cascade).evaluation.is_admissible());
@@ -106,7 +106,7 @@ fn an_update_to_a_small_shape_goes_on_where_it_is_carried() {
     let small = distance(6, &[circle([0.5 + 1.0 / 32.0, 0.5 + 1.0 / 32.0], 0.02)]);
     let mut cascade = ready(Search::new(reference.clone(), reference.clone(), settings)).expect("valid settings");
     assert_eq!(cascade.progress().level, 4);
-    ready(cascade.update(reference, small, settings)).expect("a valid update");
+    ready(cascade.update(reference, small, settings, &[])).expect("a valid update");
     assert_eq!(cascade.progress().level, 5);
 }
 

@@ -2,7 +2,6 @@
 
 use crate::align::boundary_measure;
 use crate::distance::SignedDistance;
-use crate::energy::MembraneModel;
 use crate::report::Report;
 use crate::settings::Settings;
 use std::collections::VecDeque;
@@ -38,35 +37,33 @@ pub enum Approach {
     /// The best match so far, drawn to the template as on a grid of a quarter of the spacing, or of less by as many
     /// rounds.
     Sharpened(u8),
-    /// From the reference to the template in small loads.
-    Loaded,
-    /// From the template to the reference in small loads.
-    LoadedExchanged,
-    /// The best match so far, taken back to a coarse grid and run from there again.
-    Cycled,
+    /// The same for an exchanged match that is not yet worth inverting.
+    SharpenedExchanged,
+    /// From the reference to the template, led by corresponding points of both outlines.
+    Guided,
+    /// From the template to the reference, led likewise.
+    GuidedExchanged,
 }
 
 impl Approach {
     /// Whether the template is the shell and the reference its aim.
     pub fn is_exchanged(self) -> bool {
-        matches!(self, Self::Exchanged | Self::LoadedExchanged)
+        matches!(self, Self::Exchanged | Self::GuidedExchanged | Self::SharpenedExchanged)
     }
 
-    pub(super) fn is_loaded(self) -> bool {
-        matches!(self, Self::Loaded | Self::LoadedExchanged)
+    pub(super) fn is_guided(self) -> bool {
+        matches!(self, Self::Guided | Self::GuidedExchanged)
     }
 
     /// The settings that it runs with.
     pub(super) fn settings(self, settings: &Settings) -> Settings {
         match self {
-            Self::Sharpened(rounds) => {
+            Self::Sharpened(_) | Self::SharpenedExchanged => {
+                let rounds = if let Self::Sharpened(rounds) = self { rounds } else { 1 };
                 let sharper = SHARPER.powi(rounds.into());
                 Settings { penalty: sharper * settings.penalty, thickness: settings.thickness / sharper, ..*settings }
             }
-            Self::Loaded | Self::LoadedExchanged | Self::Cycled => {
-                Settings { membrane_model: MembraneModel::Projected, ..*settings }
-            }
-            Self::Direct | Self::Exchanged | Self::Inverted => *settings,
+            Self::Direct | Self::Exchanged | Self::Inverted | Self::Guided | Self::GuidedExchanged => *settings,
         }
     }
 }
@@ -78,9 +75,9 @@ impl fmt::Display for Approach {
             Self::Exchanged => "Matching the other way round: the template with the reference",
             Self::Inverted => "Refining the inverse of the match found the other way round",
             Self::Sharpened(_) => "Sharpening: the template pulls more strongly",
-            Self::Loaded => "Matching in small steps",
-            Self::LoadedExchanged => "Matching the other way round, in small steps",
-            Self::Cycled => "Back to a coarse grid with the best match so far",
+            Self::Guided => "Matching along corresponding points of both outlines",
+            Self::GuidedExchanged => "Matching the other way round, along corresponding points of both outlines",
+            Self::SharpenedExchanged => "Sharpening the match found the other way round",
         })
     }
 }
@@ -95,8 +92,8 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    pub fn of<const D: usize>((approach, report): &(Approach, Report<D>)) -> Self {
-        Self { approach: *approach, mismatch: report.mismatch.max, cover: report.cover.max, measure: report.measure }
+    pub fn of<const D: usize>(approach: Approach, report: &Report<D>) -> Self {
+        Self { approach, mismatch: report.mismatch.max, cover: report.cover.max, measure: report.measure }
     }
 
     /// The least is the best.
@@ -110,6 +107,11 @@ impl Fit {
 
     fn is_good(&self) -> bool {
         self.is_close() && self.measure <= GOOD_MEASURE
+    }
+
+    /// What it misses is detail.
+    pub fn is_worth_sharpening(&self) -> bool {
+        self.measure <= GOOD_MEASURE && self.cost() <= SHARPENED_COST
     }
 
     pub fn is_worth_inverting(&self) -> bool {
@@ -140,9 +142,9 @@ impl Plan {
     pub fn of<const D: usize>(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self {
         let shorter = boundary_measure(template) < SHORTER * boundary_measure(reference);
         let left = if shorter {
-            [Approach::Exchanged, Approach::Direct, Approach::LoadedExchanged, Approach::Loaded, Approach::Cycled]
+            [Approach::Exchanged, Approach::GuidedExchanged, Approach::Direct, Approach::Guided]
         } else {
-            [Approach::Direct, Approach::Exchanged, Approach::Loaded, Approach::LoadedExchanged, Approach::Cycled]
+            [Approach::Direct, Approach::Guided, Approach::Exchanged, Approach::GuidedExchanged]
         };
         Self { left: left.into(), single: false, sharpened: 0 }
     }
@@ -158,7 +160,7 @@ impl Plan {
                 return None;
             }
             // What crumples would crumple more.
-            if best.measure <= GOOD_MEASURE && self.sharpened < SHARPENINGS && best.cost() <= SHARPENED_COST {
+            if best.is_worth_sharpening() && self.sharpened < SHARPENINGS {
                 self.sharpened += 1;
                 return Some(Approach::Sharpened(self.sharpened));
             }

@@ -1,0 +1,179 @@
+//! Corresponding points of two closed curves, by elastic matching of the curves alone.
+//!
+//! Which point of one outline belongs to which of the other does not need the plane: of all monotone assignments γ of arc
+//! lengths, the one is sought that makes
+//!
+//! ∫ |q₁(s) − √γ′ q₂(γ(s))|² + w |x₁(s) − x₂(γ(s))|² ds,  q the unit tangents, x the places in units of the curves' size,
+//!
+//! least: the first part is the elastic energy of curves by square-root velocities, the second keeps a limb from being
+//! matched with one elsewhere. It is found by dynamic programming over sampled arc lengths. Curves cross limbs and gaps in
+//! one go that a shell in the plane has to creep into; the shell, led along by some of these points, does not fold.
+//!
+//! Source: A. Srivastava, E. Klassen, S. H. Joshi, I. H. Jermyn, "Shape Analysis of Elastic Curves in Euclidean Spaces",
+//! IEEE TPAMI 33(7), 2011.
+
+use crate::contour::zero_set;
+use crate::distance::SignedDistance;
+use crate::energy::Pin;
+use crate::field::interpolate;
+use crate::grid::Grid;
+use glam::DVec2;
+use std::rc::Rc;
+
+/// Samples of each curve.
+const SAMPLES: usize = 160;
+/// Beginnings on the second curve that are tried.
+const BEGINNINGS: usize = 20;
+/// Steps (i, j) of an assignment: γ′ = j/i. A gap's mouth may have to become the whole gap.
+const MOST_STEP: usize = 4;
+const LONGEST_STEP: usize = 8;
+/// w.
+const PLACE_WEIGHT: f64 = 1.0;
+/// Every which knot of the assignment becomes a pin.
+const STRIDE: usize = 2;
+
+/// Share of the length of all outlines that one must have to be matched alone.
+const ALONE: f64 = 0.8;
+
+/// Pins between the two outlines; none unless both are, but for specks, one closed curve in the plane. `displacement`, at the nodes of the
+/// shapes' grid, tells how far the first is turned, where something is known.
+pub(super) fn guide<const D: usize>(shapes: &[Rc<SignedDistance<D>>; 2], displacement: Option<&[f64]>) -> Vec<Pin<D>> {
+    if D != 2 {
+        return Vec::new();
+    }
+    let [first, second] = [0, 1].map(|k| {
+        let grid = Grid::<2>::new(shapes[k].grid().cells());
+        zero_set(grid, shapes[k].values())
+    });
+    let (Some(first), Some(second)) = (only(&first), only(&second)) else { return Vec::new() };
+    let turn = displacement.map_or(DVec2::X, |u| turn_of(first, Grid::new(shapes[0].grid().cells()), u));
+    let (from, to) = (Curve::of(first, turn), Curve::of(second, DVec2::X));
+    let (mut best, mut least) = (Vec::new(), f64::INFINITY);
+    for beginning in 0..BEGINNINGS {
+        let (cost, path) = assign(&from, &to, beginning * SAMPLES / BEGINNINGS, least);
+        if cost < least {
+            (best, least) = (path, cost);
+        }
+    }
+    let place = |point: DVec2| std::array::from_fn(|axis| point[axis]);
+    let pin = |&[i, j]: &[usize; 2]| Pin { reference: place(from.point(i)), template: place(to.point(j)) };
+    best.iter().step_by(STRIDE).map(pin).collect()
+}
+
+/// The outline that is nearly all there is.
+fn only(outlines: &[Vec<DVec2>]) -> Option<&[DVec2]> {
+    let lengths: Vec<f64> = outlines.iter().map(|outline| length(outline)).collect();
+    let longest = (0..lengths.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
+    (lengths[longest] >= ALONE * lengths.iter().sum::<f64>()).then_some(outlines[longest].as_slice())
+}
+
+fn length(closed: &[DVec2]) -> f64 {
+    (0..closed.len()).map(|k| closed[k].distance(closed[(k + 1) % closed.len()])).sum()
+}
+
+/// The rotation, as a unit vector, that comes nearest to φ on a curve.
+fn turn_of(curve: &[DVec2], grid: Grid<2>, displacement: &[f64]) -> DVec2 {
+    let moved: Vec<DVec2> =
+        curve.iter().map(|&x| x + DVec2::from(interpolate::<2, 2>(grid, displacement, &x.to_array()))).collect();
+    let mean = |points: &[DVec2]| points.iter().sum::<DVec2>() / points.len() as f64;
+    let (from, to) = (mean(curve), mean(&moved));
+    let sum: DVec2 =
+        curve.iter().zip(&moved).map(|(&x, &y)| DVec2::new((x - from).dot(y - to), (x - from).perp_dot(y - to))).sum();
+    sum.try_normalize().unwrap_or(DVec2::X)
+}
+
+/// A closed curve at equal arc lengths.
+struct Curve {
+    points: Vec<DVec2>,
+    /// About the centroid, in units of the root mean square distance from it, turned.
+    places: Vec<DVec2>,
+    /// Unit tangents between a point and the next, turned.
+    tangents: Vec<DVec2>,
+}
+
+impl Curve {
+    fn of(polyline: &[DVec2], turn: DVec2) -> Self {
+        let next = |k: usize| polyline[(k + 1) % polyline.len()];
+        let length = length(polyline);
+        let mut points = Vec::with_capacity(SAMPLES);
+        let mut before = 0.0;
+        for k in 0..polyline.len() {
+            let piece = polyline[k].distance(next(k));
+            while points.len() < SAMPLES && points.len() as f64 * length <= (before + piece) * SAMPLES as f64 {
+                let t = (points.len() as f64 * length / SAMPLES as f64 - before) / piece;
+                points.push(polyline[k].lerp(next(k), t.clamp(0.0, 1.0)));
+            }
+            before += piece;
+        }
+        points.resize(SAMPLES, polyline[0]);
+        let centre = points.iter().sum::<DVec2>() / SAMPLES as f64;
+        let square = points.iter().map(|point| point.distance_squared(centre)).sum::<f64>() / SAMPLES as f64;
+        let places = points.iter().map(|&point| turn.rotate(point - centre) / square.sqrt()).collect();
+        let tangent = |k: usize| (points[(k + 1) % SAMPLES] - points[k]).try_normalize().unwrap_or(DVec2::X);
+        let tangents = (0..SAMPLES).map(|k| turn.rotate(tangent(k))).collect();
+        Self { points, places, tangents }
+    }
+
+    fn point(&self, k: usize) -> DVec2 {
+        self.points[k % SAMPLES]
+    }
+}
+
+/// The least cost of an assignment that begins with sample 0 against `beginning`, and its knots; infinite if it exceeds
+/// `bound`.
+fn assign(from: &Curve, to: &Curve, beginning: usize, bound: f64) -> (f64, Vec<[usize; 2]>) {
+    let side = SAMPLES + 1;
+    let mut costs = vec![f64::INFINITY; side * side];
+    let mut steps = vec![[0_u8; 2]; side * side];
+    costs[0] = 0.0;
+    let allowed: Vec<[usize; 2]> = (1..=LONGEST_STEP)
+        .flat_map(|i| (1..=LONGEST_STEP).map(move |j| [i, j]))
+        .filter(|&[i, j]| coprime(i, j) && (i.max(j) <= MOST_STEP || i.min(j) == 1))
+        .collect();
+    for i in 1..=SAMPLES {
+        let mut lowest = f64::INFINITY;
+        // Beyond these slopes of the whole path nothing ends in the corner.
+        for j in i.div_ceil(LONGEST_STEP)..=SAMPLES.min(i * LONGEST_STEP) {
+            let place = from.places[i % SAMPLES].distance_squared(to.places[(j + beginning) % SAMPLES]);
+            for &[a, b] in &allowed {
+                if a > i || b > j {
+                    continue;
+                }
+                let before = costs[(i - a) * side + j - b];
+                if before >= costs[i * side + j] {
+                    continue;
+                }
+                let rate = b as f64 / a as f64;
+                let pieces = a.max(b);
+                let mut along = 0.0;
+                for piece in 0..pieces {
+                    let s = i - a + piece * a / pieces;
+                    let t = j - b + piece * b / pieces + beginning;
+                    along += from.tangents[s].dot(to.tangents[t % SAMPLES]);
+                }
+                let elastic = 1.0 + rate - 2.0 * rate.sqrt() * along / pieces as f64;
+                let cost = before + a as f64 * (elastic + PLACE_WEIGHT * place);
+                if cost < costs[i * side + j] {
+                    costs[i * side + j] = cost;
+                    steps[i * side + j] = [a as u8, b as u8];
+                }
+            }
+            lowest = lowest.min(costs[i * side + j]);
+        }
+        if lowest > bound && i > LONGEST_STEP {
+            return (f64::INFINITY, Vec::new());
+        }
+    }
+    let mut knots = Vec::new();
+    let (mut i, mut j) = (SAMPLES, SAMPLES);
+    while i > 0 && costs[SAMPLES * side + SAMPLES].is_finite() {
+        let [a, b] = steps[i * side + j].map(usize::from);
+        (i, j) = (i - a, j - b);
+        knots.push([i, j + beginning]);
+    }
+    (costs[SAMPLES * side + SAMPLES], knots)
+}
+
+fn coprime(a: usize, b: usize) -> bool {
+    if b == 0 { a == 1 } else { coprime(b, a % b) }
+}

@@ -74,7 +74,7 @@ pub enum ShapeError {
     #[error("has a mask of {found} pixels, but {width} × {height} = {expected} are needed")]
     MaskLength { found: usize, width: usize, height: usize, expected: usize },
     #[error(
-        "crosses or overlaps itself hundreds of thousands of times (at most {most} crossings are handled); draw a simpler curve"
+        "has too many strokes that cross or lie close together (at most {most} crossings are handled); draw a simpler curve"
     )]
     Tangled { most: usize },
     #[error("has an outline of more than {most} points; smooth it, or make the picture smaller")]

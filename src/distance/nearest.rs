@@ -41,7 +41,7 @@ impl Nearest {
     pub fn new(segments: &[[DVec2; 2]]) -> Self {
         assert!(!segments.is_empty(), "an outline has segments");
         let mut tree = Self { capsules: Vec::with_capacity(2 * segments.len()) };
-        tree.add(segments);
+        tree.add(&neighbouring(segments));
         tree
     }
 
@@ -93,6 +93,29 @@ impl Nearest {
         }
         (best, leaf)
     }
+}
+
+/// The segments with curves that lie near each other near each other in the list, along a Z-shaped curve through the
+/// plane: the runs of thousands of specks in the order of their rows would be as wide as the picture.
+fn neighbouring(segments: &[[DVec2; 2]]) -> Vec<[DVec2; 2]> {
+    let mut curves: Vec<(u64, std::ops::Range<usize>)> = Vec::new();
+    for (place, [start, _]) in segments.iter().enumerate() {
+        match curves.last_mut() {
+            Some((_, curve)) if segments[place - 1][1] == *start => curve.end = place + 1,
+            _ => curves.push((interleaved(*start), place..place + 1)),
+        }
+    }
+    curves.sort_by_key(|(code, _)| *code);
+    curves.into_iter().flat_map(|(_, curve)| segments[curve].iter().copied()).collect()
+}
+
+/// The bits of both coordinates by turns.
+fn interleaved(point: DVec2) -> u64 {
+    let spread = |x: f64| {
+        let bits = (x.clamp(0.0, 1.0) * 65535.0) as u64;
+        (0..16).fold(0, |code, k| code | (bits >> k & 1) << (2 * k))
+    };
+    spread(point.x) | spread(point.y) << 1
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -19,6 +19,8 @@ const MOST_CUTS: usize = 500_000;
 /// Pairs of edges looked at for contacts, and edges looked at by rays: about a second's work each. Many strokes on top
 /// of each other may need more without ever crossing.
 const MOST_WORK: usize = 200_000_000;
+/// What finding a contact costs, in such looks.
+const CONTACT_WORK: usize = 25;
 
 /// The region that closed contours enclose, and the pieces of its outline in the order of the contours.
 ///
@@ -158,25 +160,35 @@ fn contacts(edges: &[Edge], contours: &[Vec<DVec2>]) -> Result<Option<Vec<(u32, 
         }
     };
 
-    let (mut touching, mut visits) = (false, 0);
+    let (mut touching, mut work) = (false, 0);
     let mut cuts = Vec::new();
     for_close_pairs(edges, |first, second| {
-        visits += 1;
+        work += 1;
+        if !near(&edges[first], &edges[second]) {
+            return work <= MOST_WORK;
+        }
+        work += CONTACT_WORK;
         let consecutive = follows(first, second) || follows(second, first);
         let contact = Contact::of(&edges[first], &edges[second], consecutive);
         touching |= contact.touching;
         cuts.extend(contact.on_first.into_iter().flatten().map(|t| (first as u32, t)));
         cuts.extend(contact.on_second.into_iter().flatten().map(|t| (second as u32, t)));
         // Pairs that share several buckets come several times; a few is what they do on average.
-        cuts.len() <= 4 * MOST_CUTS && visits <= MOST_WORK
+        cuts.len() <= 4 * MOST_CUTS && work <= MOST_WORK
     });
-    let complete = cuts.len() <= 4 * MOST_CUTS && visits <= MOST_WORK;
+    let complete = cuts.len() <= 4 * MOST_CUTS && work <= MOST_WORK;
     cuts.sort_unstable_by(|left, right| left.0.cmp(&right.0).then(left.1.total_cmp(&right.1)));
     cuts.dedup();
     if !complete || cuts.len() > MOST_CUTS {
         return Err(ShapeError::Tangled { most: MOST_CUTS / 2 });
     }
     Ok(touching.then_some(cuts))
+}
+
+/// Whether the boxes around two edges meet.
+fn near(first: &Edge, second: &Edge) -> bool {
+    let [low, high] = [first.a.min(first.b) - COINCIDENT, first.a.max(first.b) + COINCIDENT];
+    second.a.max(second.b).cmpge(low).all() && second.a.min(second.b).cmple(high).all()
 }
 
 /// How two edges meet: the parameters of their interior points where they do.

@@ -152,4 +152,9 @@ fn loops_on_top_of_each_other_by_thousands_are_united_or_refused_in_bounded_work
     // None equals another, and every one crosses all the others.
     let shifted: Vec<_> = (0..3000).map(|k| regular(16, CENTRE + 1e-6 * k as f64, 0.3)).collect();
     assert_eq!(refusal(&shifted), ShapeError::Tangled { most: 250_000 });
+    // Two hundred thousand long strokes that never meet.
+    let zigzag: Vec<_> = (0..200_000)
+        .map(|k| DVec2::new(if k % 2 == 0 { 0.1 } else { 0.9 }, 0.1 + 0.8 * f64::from(k) / 200_000.0))
+        .collect();
+    assert_eq!(refusal(&[zigzag]), ShapeError::Tangled { most: 250_000 });
 }

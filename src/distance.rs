@@ -69,7 +69,9 @@ impl<const D: usize> SignedDistance<D> {
             let values = (0..to.node_count())
                 .map(|node| self.values[from.node(to.node_index(node).map(|i| i * step))])
                 .collect();
-            return Self { grid: to, values, outline: self.outline.clone() };
+            // Details that a coarser grid does not see are no part of what it looks at.
+            let outline = if cells == from.cells() { self.outline.clone() } else { None };
+            return Self { grid: to, values, outline };
         }
         assert!(cells.is_multiple_of(from.cells()), "{} cells are not nested in {cells}", from.cells());
         let step = cells / from.cells();

@@ -1,8 +1,10 @@
 //! Curves in the plane and surfaces in space as simplices: segments, triangles.
 
+mod loops;
 mod march;
 mod tree;
 
+pub use loops::Loop;
 pub use tree::Tree;
 
 use crate::field::interpolate;

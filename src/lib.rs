@@ -28,7 +28,8 @@
 //!
 //! Modules, each using only those before it: [`small`], [`grid`], [`quadrature`], [`field`], [`hypersurface`], [`distance`], [`energy`],
 //! [`stencil`], [`assemble`], [`metric`], [`multigrid`], [`minimize`], [`prolongation`], [`inverse`], [`align`],
-//! [`settings`], [`cascade`], [`report`], [`search`]; [`contour`] and [`narrow`] look at shapes, [`shape`] takes input.
+//! [`settings`], [`cascade`], [`report`], [`search`]; [`contour`], [`narrow`] and [`verdict`] look at shapes and results,
+//! [`shape`] takes input.
 //!
 //! ```
 //! use thinshell::{search::Search, ready::ready, settings::Settings, shape::Shape};
@@ -76,6 +77,7 @@ pub mod settings;
 pub mod shape;
 pub mod small;
 pub mod stencil;
+pub mod verdict;
 #[cfg(target_arch = "wasm32")]
 mod web;
 mod words;

@@ -17,13 +17,15 @@ pub struct Narrowest {
     pub width: f64,
     /// Its middle.
     pub at: DVec2,
+    /// Between two outsides rather than two insides.
+    pub is_gap: bool,
 }
 
 /// The narrowest neck or gap of what closed polygons outline, if it is below `limit`: the least way across between two
 /// points of the outline whose way along it is much longer.
 pub fn narrowest(loops: &[Vec<DVec2>], limit: f64) -> Option<Narrowest> {
     let samples = Samples::new(loops, limit);
-    let mut best = None;
+    let mut best: Option<(f64, DVec2)> = None;
     let mut least = limit;
     for (number, sample) in samples.all.iter().enumerate() {
         samples.near(sample.point, |other| {
@@ -34,11 +36,21 @@ pub fn narrowest(loops: &[Vec<DVec2>], limit: f64) -> Option<Narrowest> {
             let width = (offset - t * along).length();
             if width < least && samples.way(number, other, t) >= (RATIO * width).max(LEAST_WAY) {
                 least = width;
-                best = Some(Narrowest { width, at: sample.point - 0.5 * (offset - t * along) });
+                best = Some((width, sample.point - 0.5 * (offset - t * along)));
             }
         });
     }
-    best
+    best.map(|(width, at)| Narrowest { width, at, is_gap: !is_inside(loops, at) })
+}
+
+/// By the loops that a ray to the right crosses.
+fn is_inside(loops: &[Vec<DVec2>], at: DVec2) -> bool {
+    let crossed =
+        |[a, b]: [DVec2; 2]| (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    let edges = |points: &Vec<DVec2>| {
+        (0..points.len()).filter(|&k| crossed([points[k], points[(k + 1) % points.len()]])).count()
+    };
+    loops.iter().map(edges).sum::<usize>() % 2 == 1
 }
 
 /// A short piece of an outline.
@@ -148,9 +160,9 @@ mod tests {
     #[test]
     fn a_gap_and_a_neck_are_as_narrow_as_they_are_wide() {
         let gap = narrowest(&[slotted(0.02, 0.2)], 0.1).unwrap();
-        assert!((gap.width - 0.02).abs() < 1e-12 && (gap.at.x - 0.5).abs() < 1e-12, "{gap:?}");
+        assert!((gap.width - 0.02).abs() < 1e-12 && (gap.at.x - 0.5).abs() < 1e-12 && gap.is_gap, "{gap:?}");
         let neck = narrowest(&[slotted(0.1, 0.37)], 0.1).unwrap();
-        assert!((neck.width - 0.03).abs() < 1e-12 && (neck.at.y - 0.315).abs() < 1e-12, "{neck:?}");
+        assert!((neck.width - 0.03).abs() < 1e-12 && (neck.at.y - 0.315).abs() < 1e-12 && !neck.is_gap, "{neck:?}");
     }
 
     #[test]

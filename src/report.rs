@@ -2,7 +2,9 @@
 
 use crate::distance::SignedDistance;
 use crate::field::interpolate;
+use crate::grid::Grid;
 use crate::hypersurface::{Hypersurface, Tree, image};
+use std::sync::Arc;
 
 /// A distance along a curve or surface, in cells; infinite where it is not defined, never NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,32 +35,59 @@ pub struct Stretch {
     pub deviation: f64,
 }
 
-/// Measures a displacement on the grid of both shapes. Each outline is looked at in its corners and the middles of its
-/// simplices, as it was given where that is known: the grid's own zero set lacks its corners.
+/// The outlines of both shapes on a grid, to measure displacements by.
+///
+/// Distances are looked at in the corners and the middles of the outlines' simplices, as they were given where that is
+/// known: the grid's own zero sets lack their corners. Lengths are taken on the zero sets: what is finer than the grid
+/// is nothing that a deformation could smooth.
+pub struct Outlines<const D: usize> {
+    grid: Grid<D>,
+    template: SignedDistance<D>,
+    given: [Arc<Hypersurface<D>>; 2],
+    seen: [Hypersurface<D>; 2],
+    /// Of the template's zero set.
+    measure: f64,
+}
+
+impl<const D: usize> Outlines<D> {
+    pub fn new(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self {
+        assert_eq!(template.grid(), reference.grid(), "both shapes live on one grid");
+        let seen = [reference, template].map(|shape| Hypersurface::zero_set(shape.grid(), shape.values()));
+        Self {
+            grid: reference.grid(),
+            template: template.clone(),
+            given: [reference.outline(), template.outline()],
+            measure: seen[1].measure(),
+            seen,
+        }
+    }
+
+    /// Measures φ = x + u, u at the nodes of the grid.
+    pub fn report(&self, displacement: &[f64]) -> Report<D> {
+        let Self { grid, template, given: [from, to], seen, .. } = self;
+        assert_eq!(displacement.len(), grid.node_count() * D, "D numbers a node");
+        let cells = grid.cells() as f64;
+        let mismatch = Spread::along(from, |x| {
+            let y = image(*grid, displacement, x);
+            let [d] = interpolate::<D, 1>(*grid, template.values(), &y);
+            (d.abs() * cells, y)
+        });
+        let matched = from.moved(*grid, displacement);
+        let tree = Tree::new(&matched);
+        let cover = Spread::along(to, |y| (tree.distance(y) * cells, *y));
+        let matched = seen[0].moved(*grid, displacement);
+        let measure = ratio(matched.measure(), self.measure);
+        Report { mismatch, cover, measure, stretch: Stretch::of(&seen[0], &matched) }
+    }
+}
+
+/// Measures one displacement on the grid of both shapes.
 pub fn report<const D: usize>(
     reference: &SignedDistance<D>,
     template: &SignedDistance<D>,
     displacement: &[f64],
 ) -> Report<D> {
-    let grid = reference.grid();
-    assert_eq!(template.grid(), grid, "both shapes live on one grid");
-    assert_eq!(displacement.len(), grid.node_count() * D, "D numbers a node");
-    let cells = grid.cells() as f64;
-    let phi = |x: &[f64; D]| image(grid, displacement, x);
-
-    let (from, to) = (reference.outline(), template.outline());
-    let mismatch = Spread::along(&from, |x| {
-        let y = phi(x);
-        let [d] = interpolate::<D, 1>(grid, template.values(), &y);
-        (d.abs() * cells, y)
-    });
-    let matched = from.moved(grid, displacement);
-    let tree = Tree::new(&matched);
-    let cover = Spread::along(&to, |y| (tree.distance(y) * cells, *y));
-
-    let [from, to] = [reference, template].map(|shape| Hypersurface::zero_set(grid, shape.values()));
-    let matched = from.moved(grid, displacement);
-    Report { mismatch, cover, measure: ratio(matched.measure(), to.measure()), stretch: Stretch::of(&from, &matched) }
+    Outlines::new(reference, template).report(displacement)
 }
 
 impl<const D: usize> Spread<D> {
@@ -121,7 +150,6 @@ fn ratio(matched: f64, template: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Grid;
     use glam::DVec2;
     use std::f64::consts::TAU;
 

@@ -13,10 +13,11 @@ use crate::error::Error;
 use crate::field::interpolate;
 use crate::inverse::Inverse;
 use crate::ready::ready;
-use crate::report::report;
+use crate::report::Outlines;
 use crate::search::Search;
 use crate::settings::{Pin, Settings};
 use crate::shape::Shape;
+use crate::verdict::Pair;
 use glam::DVec2;
 use js_sys::{Array, Float64Array, Object, Promise, Reflect};
 use queue::{Queue, promise};
@@ -24,7 +25,7 @@ use read::{numbers, property, snapshot, whole, wrong};
 use serde::Serialize;
 use settings::Chosen;
 use shape::read_shape;
-use status::{Evaluation, Status};
+use status::{Evaluation, Inspection, Status};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -68,6 +69,10 @@ struct State {
     /// The zero sets of reference and template, and the level they were extracted on.
     curves: [Vec<Vec<DVec2>>; 2],
     curves_level: u32,
+    /// What matches are measured by on that level.
+    outlines: Outlines<2>,
+    /// What the verdict needs to know of the shapes; looked at when there is something to judge.
+    pair: Option<Pair>,
 }
 
 /// What a registration was made of, so that a part of it can be replaced.
@@ -184,7 +189,8 @@ impl State {
     async fn new(source: Source) -> Result<Self, JsError> {
         let (settings, pins, [reference, template]) = source.prepare()?;
         let search = Search::with_pins(reference, template, settings, &pins).await?;
-        let mut state = Self { search, source, curves: Default::default(), curves_level: 0 };
+        let outlines = Outlines::new(search.reference(), search.template());
+        let mut state = Self { search, source, curves: Default::default(), curves_level: 0, outlines, pair: None };
         state.extract_curves();
         Ok(state)
     }
@@ -197,6 +203,7 @@ impl State {
         let (settings, pins, [reference, template]) = source.prepare()?;
         self.search.update(reference, template, settings, &pins).await?;
         self.source = source;
+        self.pair = None;
         self.extract_curves();
         self.status()
     }
@@ -255,15 +262,33 @@ impl State {
 
     fn extract_curves(&mut self) {
         self.curves_level = self.search.progress().level;
-        self.curves =
-            [self.search.reference(), self.search.template()].map(|shape| zero_set(shape.grid(), shape.values()));
+        let shapes = [self.search.reference(), self.search.template()];
+        self.outlines = Outlines::new(shapes[0], shapes[1]);
+        self.curves = shapes.map(|shape| zero_set(shape.grid(), shape.values()));
     }
 
-    fn status(&self) -> Result<JsValue, JsError> {
+    fn status(&mut self) -> Result<JsValue, JsError> {
+        self.update_curves();
+        let report = self.outlines.report(self.search.displacement());
         let progress = self.search.progress();
-        let quality = report(self.search.reference(), self.search.template(), self.search.displacement());
-        to_js(&Status::new(&progress, &quality))
+        let verdict = progress.stop.map(|_| {
+            let [reference, template] = self.search.shapes();
+            self.pair.get_or_insert_with(|| Pair::new(reference, template)).verdict(progress.level, &report)
+        });
+        to_js(&Status::new(&progress, &report, verdict))
     }
+}
+
+/// Whether the finest grid of the settings resolves two shapes, before they are matched; refuses like `create`.
+#[wasm_bindgen(unchecked_return_type = "Inspection")]
+pub fn inspect(
+    #[wasm_bindgen(unchecked_param_type = "Shape")] reference: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Shape")] template: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "Partial<Settings>")] settings: JsValue,
+) -> Result<JsValue, JsError> {
+    let source = Source::read(&reference, &template, &settings)?;
+    let (settings, _, [reference, template]) = source.prepare()?;
+    to_js(&Inspection::new(Pair::new(&reference, &template).unresolved(settings.finest)))
 }
 
 /// Reports panics to the console with their message and place.

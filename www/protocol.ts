@@ -4,9 +4,9 @@
  * Every run has a number, given by the page. An answer with an old number belongs to a cancelled run and is dropped.
  */
 
-import type { Curves, Settings, Shape, Status } from "./wasm/thinshell.js";
+import type { Curves, Inspection, Settings, Shape, Status } from "./wasm/thinshell.js";
 
-export type { Curves, Settings, Shape, Status };
+export type { Curves, Inspection, Settings, Shape, Status };
 
 /** The weighted energies after one iteration. */
 export type Iteration = Status["energies"] & { readonly level: number; readonly iteration: number };
@@ -32,6 +32,14 @@ export type Request =
       readonly template: Shape;
       readonly settings: Partial<Settings>;
     }
+  /** Asks whether the finest grid resolves two shapes; belongs to no run. A newer inquiry stands for those before it. */
+  | {
+      readonly kind: "inspect";
+      readonly inquiry: number;
+      readonly reference: Shape;
+      readonly template: Shape;
+      readonly settings: Partial<Settings>;
+    }
   | { readonly kind: "pause"; readonly run: number }
   | { readonly kind: "resume"; readonly run: number }
   | { readonly kind: "cancel"; readonly run: number }
@@ -53,6 +61,8 @@ export type Reply =
       /** Every iteration since the last frame, this one's included. */
       readonly trail: readonly Iteration[];
     }
+  /** Null where the solver does not take the shapes: Match says why. */
+  | { readonly kind: "inspected"; readonly inquiry: number; readonly inspection: Inspection | null }
   /** The solver does not take this input: a sentence with the remedy. */
   | { readonly kind: "refused"; readonly run: number; readonly message: string }
   /** The solver has failed and this worker is of no more use. */

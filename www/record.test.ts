@@ -22,12 +22,13 @@ function record(): MatchRecord {
         level: 2,
         iteration: 7,
         evaluations: 99,
-        energies: { membrane: 0.1, bending: 0.2, mismatch: 1 / 3, volume: 1e-300, total: 0.7 },
+        energies: { membrane: 0.1, bending: 0.2, mismatch: 1 / 3, volume: 1e-300, pins: 0, total: 0.7 },
         leastDeterminant: 0.25,
         mismatch: { mean: 0.01, max: 0.1 },
         stretch: { mean: 1, deviation: 0 },
         cover: { mean: 0.01, max: 0.1 },
         measure: 1,
+        verdict: "Fits: nowhere more than 0.10 cells off.",
         approach: "matching directly",
       },
       deformation,
@@ -44,6 +45,14 @@ test("what is read is what was written, to the bit", () => {
 test("without a match, shapes and settings remain", () => {
   const written = { ...record(), match: null };
   expect(decodeRecord(JSON.parse(encodeRecord(written)))).toEqual(written);
+});
+
+test("a file from before the template's parts were measured opens, and so does what is saved of it", () => {
+  const file = JSON.parse(encodeRecord(record()));
+  for (const name of ["cover", "measure", "verdict"]) delete file.match.report[name];
+  const opened = decodeRecord(file);
+  expect(opened.match?.status).toMatchObject({ measure: Number.NaN, verdict: null, mismatch: { max: 0.1 } });
+  expect(decodeRecord(JSON.parse(encodeRecord(opened)))).toEqual(opened);
 });
 
 test("settings are written out in full, so that other defaults change nothing", () => {

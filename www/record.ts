@@ -68,6 +68,9 @@ const ENERGIES = ["membrane", "bending", "mismatch", "volume", "total"];
 /** What is measured on the curves: null where the grid does not see them. */
 const MEASURES = { mismatch: ["mean", "max"], cover: ["mean", "max"], stretch: ["mean", "deviation"] };
 
+/** What files from before the template's parts were measured lack. */
+const UNMEASURED = { cover: { mean: Number.NaN, max: Number.NaN }, measure: Number.NaN };
+
 /** A grid of 1025² nodes: no page computes finer ones, and a file of one has 50 MB. */
 const FINEST = 10;
 
@@ -86,7 +89,9 @@ function savedMatch(content: unknown): SavedMatch {
   });
   if (report.measure === null) report.measure = Number.NaN;
   const stop = typeof report.stop === "string" ? report.stop : null;
-  const status = { ...(report as unknown as Status), ...Object.fromEntries(measured), stop, finished: true };
+  const verdict = typeof report.verdict === "string" ? report.verdict : null;
+  const found = { ...UNMEASURED, ...(report as unknown as Status), ...Object.fromEntries(measured) };
+  const status = { ...found, stop, verdict, finished: true };
   const deformation = Float64Array.from(list(match.deformation, "match.deformation"), (value, i) =>
     number(value, `match.deformation[${i}]`),
   );

@@ -4,7 +4,7 @@ import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Engine } from "./engine";
 import { Follower, LIVE_LEVEL, SETTLED_CELLS } from "./live";
 import { isEstablished, isFollowing, isPaused, isRunning, isWorking, next, type Phase, type PhaseEvent } from "./phase";
-import type { FrameReply, Iteration } from "./protocol";
+import type { FrameReply, Inspection, Iteration } from "./protocol";
 import type { SavedMatch } from "./record";
 import { type Chosen, complete, finestLevel } from "./settings";
 import type { Shape } from "./shapes/geometry";
@@ -44,6 +44,8 @@ export class Run {
   /** The solver has been fetched and compiled. */
   readonly loaded = signal(false);
   readonly energies = signal<readonly Iteration[]>([]);
+  /** Whether the finest grid resolves the shapes, as far as that is known. */
+  readonly inspection = signal<Inspection | null>(null);
   /** Whether `match` belongs to the run under way, not to the one before. */
   readonly fresh = signal(false);
   /** The frame to show: none while the shapes are others than those it was computed for, unless a new run is on. */
@@ -57,6 +59,9 @@ export class Run {
       },
       frame: (frame) => this.receive(frame),
       refused: (message) => this.refuse(sentence(message)),
+      inspected: (inspection) => {
+        this.inspection.value = inspection;
+      },
       unavailable: (message) => this.fail(sentence(message)),
       crashed: (message) =>
         this.fail(
@@ -146,6 +151,16 @@ export class Run {
     // Observers have it; kept in the page's timeline, every frame would cost memory for good.
     performance.clearMeasures("live-frame");
     this.received = null;
+  }
+
+  /** Forgets what is known of the shapes' narrow parts. */
+  changed(): void {
+    this.inspection.value = null;
+  }
+
+  /** Asks about the shapes' narrow parts. */
+  inspect({ reference, template }: Shapes): void {
+    this.solver.inspect(curves(reference), curves(template), { finest: finestLevel(this.subject.settings.value) });
   }
 
   private get current(): boolean {

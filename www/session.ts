@@ -25,11 +25,14 @@ export type Pair = {
 
 /** Between an edit and its being written to the address, which browsers allow some three times a second. */
 const REMEMBER_MILLIS = 400;
+/** Between an edit and the question whether the grid resolves what has come out. */
+const INSPECT_MILLIS = 300;
 
 export class Session {
   private readonly history;
   private readonly run: Run;
   private remembering: ReturnType<typeof setTimeout> | undefined;
+  private inspecting: ReturnType<typeof setTimeout> | undefined;
 
   /** The shape under the hand, not yet in the history. */
   private readonly moving = signal<{ readonly side: Side; readonly shape: Shape } | null>(null);
@@ -73,6 +76,7 @@ export class Session {
       },
     });
     this.rememberChanges(opened.remembered ? null : this.link());
+    this.inspectChanges();
   }
 
   get phase() {
@@ -89,6 +93,10 @@ export class Session {
 
   get fresh() {
     return this.run.fresh;
+  }
+
+  get inspection() {
+    return this.run.inspection;
   }
 
   get energies() {
@@ -169,6 +177,13 @@ export class Session {
   changeSetting(field: SettingField, value: number | string | boolean): void {
     this.settings.value = withSetting(this.settings.value, field, value);
     this.settingsChanged();
+  }
+
+  /** Takes a grid of this level for the finest and matches on it. */
+  matchOn(level: number): void {
+    const finest = FIELDS.find((field) => field.name === "finest");
+    if (finest) this.changeSetting(finest, level);
+    if (!this.live.value) this.start();
   }
 
   /** The setting while its slider is still moving. `at` is the time of the event. */
@@ -259,6 +274,17 @@ export class Session {
     if (this.live.value) this.settle();
     else if (isPaused(this.phase.value)) this.run.drop();
     else this.run.restartSoon();
+  }
+
+  private inspectChanges(): void {
+    effect(() => {
+      const { reference, template } = this.history.value.present;
+      void this.settings.value;
+      clearTimeout(this.inspecting);
+      this.run.changed();
+      if (reference.length === 0 || template.length === 0) return;
+      this.inspecting = setTimeout(() => this.run.inspect({ reference, template }), INSPECT_MILLIS);
+    });
   }
 
   /** `last` is what the address and storage hold already. */

@@ -4,13 +4,15 @@
  */
 
 import type { Engine } from "./engine";
-import type { FrameReply, Reply, Request, Settings, Shape } from "./protocol";
+import type { FrameReply, Inspection, Reply, Request, Settings, Shape } from "./protocol";
 
 export type SolverEvents = {
   /** The worker has the solver. */
   ready(): void;
   frame(frame: FrameReply): void;
   refused(message: string): void;
+  /** The answer to the last inquiry. */
+  inspected?(inspection: Inspection | null): void;
   /** Nothing of the page's is lost, and the next start finds a fresh worker. */
   crashed(message: string): void;
   /** The solver could not be loaded or no worker started; the next start tries again. */
@@ -31,6 +33,7 @@ export class Solver {
   /** The worker has the solver: it can run here. */
   private ready = false;
   private run = 0;
+  private inquiry = 0;
   /** The start that the worker has not taken up yet. */
   private waiting: Request | null = null;
   /** Whether the worker has yet to turn from an older run to a start or a cancel. */
@@ -55,6 +58,12 @@ export class Solver {
   update(reference: Shape, template: Shape, settings: Partial<Settings>): void {
     this.run += 1;
     this.send({ kind: "update", run: this.run, reference, template, settings });
+  }
+
+  /** Asks whether the finest grid resolves two shapes. A worker that is replaced meanwhile gives no answer. */
+  inspect(reference: Shape, template: Shape, settings: Partial<Settings>): void {
+    this.inquiry += 1;
+    this.send({ kind: "inspect", inquiry: this.inquiry, reference, template, settings });
   }
 
   pause(): void {
@@ -145,6 +154,8 @@ export class Solver {
     } else if (reply.kind === "heard") {
       // A cancel is heard under the number of its run, which has passed by then.
       if (reply.run === this.run || (reply.run === this.run - 1 && !this.waiting)) this.heard();
+    } else if (reply.kind === "inspected") {
+      if (reply.inquiry === this.inquiry) this.events.inspected?.(reply.inspection);
     } else if (reply.run !== this.run) return;
     else if (reply.kind === "refused") this.events.refused(reply.message);
     else {

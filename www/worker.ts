@@ -3,8 +3,8 @@
  * and goes on. The only importer of the wasm package; formulas and policies live in the solver.
  */
 
-import type { Iteration, Reply, Request, Status } from "./protocol";
-import init, { Registration } from "./wasm/thinshell.js";
+import type { Inspection, Iteration, Reply, Request, Status } from "./protocol";
+import init, { inspect, Registration } from "./wasm/thinshell.js";
 
 /** Solving between two looks at the message queue. */
 const CHUNK_MILLIS = 30;
@@ -13,6 +13,7 @@ const FOLLOWING_MILLIS = 2;
 
 type Start = Extract<Request, { kind: "start" }>;
 type Update = Extract<Request, { kind: "update" }>;
+type Inquiry = Extract<Request, { kind: "inspect" }>;
 
 /** What the page wants now. Messages only write here; the loop alone touches the solver. */
 const wanted = {
@@ -20,6 +21,8 @@ const wanted = {
   start: null as Start | null,
   /** The newest only: it stands for all before it. */
   update: null as Update | null,
+  /** The newest, too. */
+  inquiry: null as Inquiry | null,
   /** The run that is to end. */
   cancelled: null as number | null,
   paused: false,
@@ -30,6 +33,7 @@ let wake: () => void = () => {};
 self.onmessage = ({ data }: MessageEvent<Request>) => {
   const current = wanted.update?.run ?? wanted.start?.run ?? running.run;
   if (data.kind === "load") wanted.module = data.module;
+  else if (data.kind === "inspect") wanted.inquiry = data;
   else if (data.kind === "start") {
     wanted.start = data;
     wanted.update = null;
@@ -70,6 +74,7 @@ async function loop(): Promise<never> {
     }
     if (wanted.start) await begin(wanted.start);
     if (wanted.update) await change(wanted.update);
+    if (wanted.inquiry) answer(wanted.inquiry);
     if (!running.registration || running.finished || wanted.paused) await asleep();
     else {
       try {
@@ -97,6 +102,18 @@ async function begin(start: Start): Promise<void> {
   } catch (problem) {
     refuse(start.run, problem);
   }
+}
+
+/** Takes a few milliseconds. */
+function answer({ inquiry, reference, template, settings }: Inquiry): void {
+  wanted.inquiry = null;
+  let inspection: Inspection | null = null;
+  try {
+    inspection = inspect(reference, template, settings);
+  } catch (problem) {
+    if (problem instanceof WebAssembly.RuntimeError) throw problem;
+  }
+  post({ kind: "inspected", inquiry, inspection });
 }
 
 /** A refused update leaves the registration as it was; there is nothing to go on with until the next. */

@@ -119,6 +119,6 @@ fn summarise(outcomes: &[Outcome], level: u32) {
         median(&|outcome| outcome.millis),
     );
     for outcome in resolvable.iter().filter(|outcome| !outcome.is_good()) {
-        println!("missed: {outcome}");
+        println!("missed: {outcome}: {}", outcome.verdict);
     }
 }

@@ -10,9 +10,7 @@ use thinshell::ready::ready;
 use thinshell::report::report;
 use thinshell::search::Search;
 use thinshell::settings::Settings;
-
-/// Narrower necks and gaps, in cells, a grid cannot tell from none.
-const RESOLVED: f64 = 2.0;
+use thinshell::verdict::{self, RESOLVED};
 
 pub struct Outcome {
     name: String,
@@ -24,6 +22,8 @@ pub struct Outcome {
     pub least_determinant: f64,
     pub cost: f64,
     pub millis: f64,
+    /// In words.
+    pub verdict: String,
 }
 
 impl Outcome {
@@ -91,5 +91,6 @@ pub fn run(pair: &Pair, level: u32) -> Outcome {
         least_determinant: end.evaluation.least_determinant,
         cost,
         millis,
+        verdict: verdict::Pair::new(&shapes[0], &shapes[1]).verdict(level, &quality),
     }
 }

@@ -4,6 +4,7 @@ use crate::assemble::Evaluation as Evaluated;
 use crate::energy::Energies as Weighted;
 use crate::report::{Report, Spread as Measured};
 use crate::search::SearchProgress;
+use crate::verdict::Unresolved;
 use js_sys::Float64Array;
 use serde::Serialize;
 use tsify::Tsify;
@@ -59,6 +60,20 @@ pub struct Status {
     /// The length of φ(M1) over M2's: 1, more where it crumples, less where parts are missed.
     measure: f64,
     stretch: Stretch,
+    /// What the match came to, in words; null while it goes on.
+    #[tsify(type = "string | null")]
+    verdict: Option<String>,
+}
+
+/// The narrowest neck or gap of two shapes where their finest grid does not resolve it.
+#[derive(Serialize, Tsify)]
+pub struct Inspection {
+    /// A sentence; null where the grid resolves both shapes.
+    #[tsify(type = "string | null")]
+    words: Option<String>,
+    /// The least `finest` that resolves them; null where none that is worth its time does.
+    #[tsify(type = "number | null")]
+    level: Option<u32>,
 }
 
 /// Energies and gradient at a deformation. Where it folds (leastDeterminant ≤ 0), energies are Infinity and the
@@ -92,7 +107,7 @@ impl From<&Measured<2>> for Spread {
 }
 
 impl Status {
-    pub(super) fn new(progress: &SearchProgress, report: &Report<2>) -> Self {
+    pub(super) fn new(progress: &SearchProgress, report: &Report<2>, verdict: Option<String>) -> Self {
         Self {
             finished: progress.stop.is_some(),
             stop: progress.stop.map(|stop| stop.to_string()),
@@ -106,7 +121,14 @@ impl Status {
             cover: Spread::from(&report.cover),
             measure: report.measure,
             stretch: Stretch { mean: report.stretch.mean, deviation: report.stretch.deviation },
+            verdict,
         }
+    }
+}
+
+impl Inspection {
+    pub(super) fn new(unresolved: Option<Unresolved>) -> Self {
+        Self { words: unresolved.map(|found| found.sentence()), level: unresolved.and_then(|found| found.level) }
     }
 }
 

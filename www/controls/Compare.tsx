@@ -220,7 +220,7 @@ function Differences({ a, b }: { a: Outcome; b: Outcome }) {
 }
 
 function rowsOf({ frame: { status }, millis }: Outcome): readonly (readonly [string, number])[] {
-  const { energies, mismatch, stretch } = status;
+  const { energies, mismatch, cover, stretch } = status;
   return [
     ["Energy", energies.total],
     ["of stretching", energies.membrane],
@@ -229,6 +229,8 @@ function rowsOf({ frame: { status }, millis }: Outcome): readonly (readonly [str
     ["of the volume", energies.volume],
     ["Largest distance, cells", mismatch.max],
     ["Mean distance, cells", mismatch.mean],
+    ["Template missed by, cells", cover.max],
+    ["Length ratio", status.measure],
     ["Mean stretch", stretch.mean],
     ["Deviation of the stretch", stretch.deviation],
     ["Least area ratio", status.leastDeterminant],

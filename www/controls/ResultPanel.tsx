@@ -54,7 +54,7 @@ function words(session: Session): string {
   const status = session.match.value?.status;
   if (!status) return phase === "preparing" ? "the solver is starting" : "not matched yet, the grid is undeformed";
   if (isDone(phase)) {
-    const { max } = status.mismatch;
+    const max = Math.max(status.mismatch.max, status.cover.max);
     return Number.isFinite(max)
       ? `matched, at most ${decimals(max)} cells off, no cell folded`
       : "matched, but the grid does not see the curve";

@@ -19,6 +19,8 @@ export function StatusPanel({ session }: { session: Session }) {
       {/* Thirty updates a second would drown a screen reader: it hears the beginning and the end. */}
       <div role="status" aria-live={working && !paused && status ? "off" : "polite"}>
         <p class="headline">{headline(session, status)}</p>
+        {isDone(phase) && status?.verdict && status.stop && <p class="stop">{status.stop}</p>}
+        {!working && <Resolution session={session} />}
         {status && (
           <dl>
             <Value name="level" label="Grid" value={status.level} text={gridName(status.level)} />
@@ -39,6 +41,13 @@ export function StatusPanel({ session }: { session: Session }) {
                   text={cells(status.mismatch.mean)}
                 />
                 <Value
+                  name="cover-max"
+                  label="Template missed by"
+                  value={status.cover.max}
+                  text={cells(status.cover.max)}
+                />
+                <Value name="measure" label="Length ratio" value={status.measure} text={decimals(status.measure)} />
+                <Value
                   name="least-determinant"
                   label="Least area ratio"
                   value={status.leastDeterminant}
@@ -51,6 +60,23 @@ export function StatusPanel({ session }: { session: Session }) {
       </div>
       <EnergyChart session={session} />
     </div>
+  );
+}
+
+/** What the finest grid does not resolve, and the way to one that does. */
+function Resolution({ session }: { session: Session }) {
+  const inspection = session.inspection.value;
+  if (!inspection?.words) return null;
+  const { words, level } = inspection;
+  return (
+    <p class="resolution">
+      {words}
+      {level !== null && (
+        <button type="button" onClick={() => session.matchOn(level)}>
+          Match on {gridName(level)}
+        </button>
+      )}
+    </p>
   );
 }
 
@@ -93,8 +119,8 @@ function headline(session: Session, status: Status | undefined): string {
     case "pausedRefining":
       return "Paused.";
     default:
-      if (!isDone(phase)) return status ? `Matching on the ${gridName(status.level)} grid …` : "Matching …";
-      return status ? (status.stop ?? "Finished.") : "The shapes have changed: press Match.";
+      if (!isDone(phase)) return status ? `${status.approach}, on the ${gridName(status.level)} grid …` : "Matching …";
+      return status ? (status.verdict ?? status.stop ?? "Finished.") : "The shapes have changed: press Match.";
   }
 }
 

@@ -41,12 +41,13 @@ function saving(): Saving & { match: NonNullable<Saving["match"]> } {
     level: 3,
     iteration: 1,
     evaluations: 1,
-    energies: { membrane: 0, bending: 0, mismatch: 0, volume: 0, total: 0 },
+    energies: { membrane: 0, bending: 0, mismatch: 0, volume: 0, pins: 0, total: 0 },
     leastDeterminant: 4,
     mismatch: { mean: 0, max: 0 },
     stretch: { mean: 2, deviation: 0 },
     cover: { mean: 0, max: 0 },
     measure: 1,
+    verdict: null,
     approach: "",
   };
   return { reference, template, settings: {}, bandwidth: 0.05, match: { status, deformation, curves } };

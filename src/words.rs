@@ -22,7 +22,7 @@ pub fn number(value: f64) -> String {
 
 /// Insertions, deletions, replacements and swaps of neighbours that make the one word into the other, capitals aside.
 pub fn edits(a: &str, b: &str) -> usize {
-    let [a, b] = [a, b].map(|word| word.to_lowercase().chars().collect::<Vec<_>>());
+    let [a, b] = [a, b].map(|word| word.to_ascii_lowercase().chars().collect::<Vec<_>>());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
     for i in 0..=a.len() {
         for j in 0..=b.len() {

@@ -30,6 +30,15 @@ fn rank(energy: f64, turn: f64) -> f64 {
     energy * (1.0 + TURN_PENALTY * turn / std::f64::consts::PI)
 }
 
+/// Keeps the trials of least rank, best first.
+fn keep_best<T>(trials: &mut Vec<Trial<T>>, count: usize) {
+    for k in 0..count.min(trials.len()) {
+        let best = (k..trials.len()).min_by(|&a, &b| trials[a].rank.total_cmp(&trials[b].rank)).unwrap_or(k);
+        trials.swap(k, best);
+    }
+    trials.truncate(count);
+}
+
 /// The displacement that the best start reaches. `shapes` are the shell and its aim.
 pub(super) async fn find<const D: usize>(
     assembler: &mut impl Assembler<D>,
@@ -61,8 +70,7 @@ pub(super) async fn find<const D: usize>(
             straight.push(trial);
         }
     }
-    starts.sort_by(|a, b| a.rank.total_cmp(&b.rank));
-    starts.truncate(CANDIDATES);
+    keep_best(&mut starts, CANDIDATES);
     starts.extend(straight);
     starts.push(Trial { rank: f64::INFINITY, turn: 0.0, state: vec![0.0; grid.node_count() * D] });
 
@@ -82,8 +90,7 @@ pub(super) async fn find<const D: usize>(
                 }
             }
         }
-        trials.sort_by(|a, b| a.rank.total_cmp(&b.rank));
-        trials.truncate(remaining);
+        keep_best(&mut trials, remaining);
     }
     trials[0].state.displacement().to_vec()
 }

@@ -15,13 +15,15 @@ export function onSlider(field: Range, value: number): number {
   return Math.round(SLIDER_STEPS * Math.min(1, Math.max(0, part)));
 }
 
-/** Three digits are as fine as the slider's steps. */
+/** As many digits as the slider's steps need. */
 export function fromSlider(field: Range, position: number): number {
   // The default is found again exactly.
   if (position === onSlider(field, field.initial)) return field.initial;
   const { ratio, low, high } = ends(field);
   const part = position / SLIDER_STEPS;
-  return Number((ratio ? low * (high / low) ** part : low + part * (high - low)).toPrecision(3));
+  if (ratio) return Number((low * (high / low) ** part).toPrecision(3));
+  const decimals = Math.max(0, Math.ceil(-Math.log10((high - low) / SLIDER_STEPS)));
+  return Number((low + part * (high - low)).toFixed(decimals));
 }
 
 /** A range that may reach 0 cannot have even ratios: it ends a little above its default instead. */

@@ -80,7 +80,7 @@ export const cascadeExperiment: Experiment = {
         ),
       },
       text(
-        "A coarse level cannot resolve a finger's flank, so it moves fingers as wholes; the next level finds them in place. A single fine level sees flanks at once and slides each to the nearest part of the template.",
+        "A coarse level cannot resolve a finger's flank, so it moves fingers as wholes; the next level finds them in place. A single fine level sees flanks at once: it slides each to the nearest part of the template, or needs many more iterations to sort them out.",
       ),
     ];
   },

@@ -90,7 +90,10 @@ function savedMatch(content: unknown): SavedMatch {
   if (report.measure === null) report.measure = Number.NaN;
   const stop = typeof report.stop === "string" ? report.stop : null;
   const verdict = typeof report.verdict === "string" ? report.verdict : null;
-  const found = { ...UNMEASURED, ...(report as unknown as Status), ...Object.fromEntries(measured) };
+  // In the file's own order, so that a match saved again is the same file.
+  const missing = Object.entries(UNMEASURED).filter(([name]) => !(name in report));
+  const known = { ...(report as unknown as Status), ...Object.fromEntries(missing) };
+  const found = { ...known, ...Object.fromEntries(measured) };
   const status = { ...found, stop, verdict, finished: true };
   const deformation = Float64Array.from(list(match.deformation, "match.deformation"), (value, i) =>
     number(value, `match.deformation[${i}]`),

@@ -153,7 +153,7 @@ test("a setting out of its range is refused where it stands, and Reset brings th
   await expect(bending).toHaveAttribute("aria-invalid", "false");
   await expect.poll(() => page.url()).toContain("bending=0");
   await button(page, "Reset to defaults").click();
-  await expect(bending).toHaveValue("1");
+  await expect(bending).toHaveValue("0.03");
   await expect.poll(() => page.url()).not.toContain("bending");
 });
 

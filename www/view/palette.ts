@@ -76,7 +76,7 @@ export type Theme = {
 /** The scale for either background. */
 export const CYCLES = { light: cycle(0.62), dark: cycle(0.74) };
 
-/** Reads the custom properties of style.css, so that canvases follow light and dark like the rest of the page. */
+/** Reads the custom properties of style/base.css, so that canvases follow light and dark like the rest of the page. */
 export function theme(): Theme {
   const style = getComputedStyle(document.documentElement);
   const dark = matchMedia("(prefers-color-scheme: dark)").matches;

@@ -12,6 +12,8 @@ export default defineConfig({
   build: {
     target: "es2022",
     sourcemap: false,
+    // Where a browser does not preload, modules come a moment later; no part of the first load for that.
+    modulePreload: { polyfill: false },
     rolldownOptions: { input: ["index.html", "experiments.html"] },
   },
   worker: { format: "es", plugins: () => [worker] },

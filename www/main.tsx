@@ -4,16 +4,17 @@ import { render } from "preact";
 import { Import } from "./controls/Import";
 import { Later } from "./controls/Later";
 import { Morph } from "./controls/Morph";
+import { Present } from "./controls/Present";
 import { Presets } from "./controls/Presets";
-import { ResultPanel } from "./controls/ResultPanel";
 import { Save } from "./controls/Save";
-import { SettingsPanel } from "./controls/SettingsPanel";
 import { SketchPanel } from "./controls/SketchPanel";
-import { Progress, StatusPanel } from "./controls/StatusPanel";
+import { Stage } from "./controls/Stage";
+import { Caption, StatusPanel } from "./controls/StatusPanel";
+import { Terms } from "./controls/Terms";
 import { Problem, Toolbar } from "./controls/Toolbar";
 import { ViewPicker } from "./controls/ViewPicker";
 import { moduleAt } from "./engine";
-import { Session } from "./session";
+import { changedFields, Session } from "./session";
 import { open, readStorage } from "./state";
 import "./style.css";
 import "./controls/views.css";
@@ -37,14 +38,14 @@ function App({ session }: { session: Session }) {
             Match
           </h2>
           <ViewPicker session={session} />
-          <Morph session={session} />
+          <Present session={session} />
           <Save session={session} />
         </header>
-        <div class="surface">
-          <Progress session={session} />
-          <ResultPanel session={session} />
-        </div>
+        <Stage session={session} />
+        <Morph session={session} />
         <StatusPanel session={session} />
+        <Terms session={session} />
+        <Caption />
         <Later
           session={session}
           name="energies"
@@ -54,8 +55,14 @@ function App({ session }: { session: Session }) {
       </section>
       <div class="choices">
         <Presets session={session} />
-        <SettingsPanel session={session} />
+        <Settings session={session} />
       </div>
+      <Later
+        session={session}
+        name="runs"
+        title="Runs so far"
+        load={async () => (await import("./controls/Earlier")).Earlier}
+      />
       <Later
         session={session}
         name="compare"
@@ -64,6 +71,19 @@ function App({ session }: { session: Session }) {
       />
       <Import session={session} />
     </>
+  );
+}
+
+function Settings({ session }: { session: Session }) {
+  const changed = changedFields(session.settings.value).length;
+  return (
+    <Later
+      session={session}
+      name="settings"
+      title="Settings"
+      note={changed > 0 ? `(${changed} changed)` : ""}
+      load={async () => (await import("./controls/SettingsPanel")).SettingsPanel}
+    />
   );
 }
 
@@ -86,7 +106,9 @@ function spawn(): Worker {
 
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no #app");
-const session = new Session({ module: moduleAt(solverUrl), spawn }, open(location.hash, readStorage()));
+const opened = open(location.hash, readStorage());
+const session = new Session({ module: moduleAt(solverUrl), spawn }, opened);
+if (!opened.later) session.glance();
 shortcuts(session);
 addEventListener("hashchange", () => session.openLink(location.hash));
 root.replaceChildren();

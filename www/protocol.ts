@@ -9,7 +9,12 @@ import type { Curves, Inspection, Settings, Shape, Status } from "./wasm/thinshe
 export type { Curves, Inspection, Settings, Shape, Status };
 
 /** The weighted energies after one iteration. */
-export type Iteration = Status["energies"] & { readonly level: number; readonly iteration: number };
+export type Iteration = Status["energies"] & {
+  readonly level: number;
+  readonly iteration: number;
+  /** φ as trail.ts keeps it; none while the match follows a hand. */
+  readonly kept?: Float32Array;
+};
 
 export type Request =
   /** First message of a worker's life: the compiled solver, so that no worker ever needs the network. */
@@ -55,6 +60,8 @@ export type Reply =
       readonly kind: "frame";
       readonly run: number;
       readonly status: Status;
+      /** The energies of this level's identity, where they are known: what is there before anything is deformed. */
+      readonly rest: Status["energies"] | null;
       /** φ at the nodes of the level, x y a node, x fastest. */
       readonly deformation: Float64Array;
       readonly curves: Curves;

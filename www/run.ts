@@ -6,11 +6,17 @@ import { Follower, LIVE_LEVEL, SETTLED_CELLS } from "./live";
 import { isEstablished, isFollowing, isPaused, isRunning, isWorking, next, type Phase, type PhaseEvent } from "./phase";
 import type { FrameReply, Inspection, Iteration } from "./protocol";
 import type { SavedMatch } from "./record";
-import { type Chosen, complete, finestLevel } from "./settings";
+import { type Chosen, coarsestLevel, complete, finestLevel, sameSettings } from "./settings";
 import type { Shape } from "./shapes/geometry";
 import { Solver } from "./solver";
 
 export type Shapes = { readonly reference: Shape; readonly template: Shape };
+
+/** What a match is computed from. */
+export type Inputs = Shapes & { readonly settings: Chosen };
+
+/** A match with what it was computed from: whoever shows or saves φ takes the shapes and settings from here. */
+export type Result = Inputs & { readonly frame: FrameReply };
 
 /** What a run is of, and whom it tells. */
 export type Subject = {
@@ -21,6 +27,9 @@ export type Subject = {
   /** A sentence for the user, or null when the last one no longer holds. */
   say(problem: string | null): void;
 };
+
+/** The finest level of a first look, which is there within a moment. */
+const GLANCE_LEVEL = 7;
 
 /** Between an edit and the new run it causes; a drag makes many. */
 const RESTART_MILLIS = 250;
@@ -33,12 +42,15 @@ export class Run {
   private asked: number | null = null;
   /** The same for the frame that is to be drawn next. */
   private received: number | null = null;
+  /** The run under way is a first look, to be gone on from. */
+  private glancing = false;
   private restarting: ReturnType<typeof setTimeout> | undefined;
 
   private readonly state = signal<Phase>("idle");
-  private readonly frame = signal<FrameReply | null>(null);
-  /** The shapes of the run that `frame` belongs to. */
-  private readonly solved = signal<Shapes | null>(null);
+  /** Of the request that the solver is at work on: its frames belong to these. */
+  private sent: Inputs | null = null;
+  /** The last frame. */
+  private readonly last = signal<Result | null>(null);
 
   readonly phase: ReadonlySignal<Phase> = this.state;
   /** The solver has been fetched and compiled. */
@@ -48,8 +60,18 @@ export class Run {
   readonly inspection = signal<Inspection | null>(null);
   /** Whether `match` belongs to the run under way, not to the one before. */
   readonly fresh = signal(false);
-  /** The frame to show: none while the shapes are others than those it was computed for, unless a new run is on. */
-  readonly match = computed(() => (isRunning(this.state.value) || this.current ? this.frame.value : null));
+  /** What to show: nothing while the shapes are others than those it was computed for, unless a new run is on. */
+  readonly result = computed(() => {
+    const last = this.last.value;
+    return last && (isRunning(this.state.value) || sameShapes(last, this.subject.shapes.value)) ? last : null;
+  });
+  readonly match = computed(() => this.result.value?.frame ?? null);
+  /** The result was computed with other settings than the present ones, and nothing is under way to change that. */
+  readonly stale = computed(() => {
+    const result = this.result.value;
+    if (!result || isRunning(this.state.value)) return false;
+    return !sameSettings(result.settings, this.subject.settings.value);
+  });
 
   constructor(engine: Engine, subject: Subject) {
     this.subject = subject;
@@ -74,28 +96,31 @@ export class Run {
     return isEstablished(this.state.value);
   }
 
-  /** The match that is shown is of the present shapes, and the solver can go on from it. */
+  /** The match that is shown is of the present shapes and settings, and the solver can go on from it. */
   get upToDate(): boolean {
-    return this.state.value === "matched" && this.current;
+    return this.state.value === "matched" && this.result.value !== null && !this.stale.value;
   }
 
   start(): void {
-    this.forget();
-    this.subject.say(null);
-    this.energies.value = [];
-    this.advance("start");
-    const { reference, template } = this.begin();
-    // The last picture stays until the first frame of the new run, but not its numbers.
-    this.fresh.value = false;
-    this.solver.start(reference, template, this.subject.settings.value);
+    this.begins(this.subject.settings.value);
+  }
+
+  /** A match for whoever has just come: at once on a grid that is quick, then on to the finest. */
+  glance(): void {
+    const chosen = this.subject.settings.value;
+    const level = Math.max(coarsestLevel(chosen), Math.min(GLANCE_LEVEL, finestLevel(chosen)));
+    this.begins({ ...chosen, finest: level });
+    this.glancing = true;
   }
 
   pause(): void {
     if (this.advance("pause")) this.solver.pause();
   }
 
+  /** What has been chosen since the pause counts: then there is nothing to go on with. */
   resume(): void {
-    if (this.advance("resume")) this.solver.resume();
+    if (this.sent && !sameSettings(this.sent.settings, this.subject.settings.value)) this.start();
+    else if (this.advance("resume")) this.solver.resume();
   }
 
   /** The user ends the run. */
@@ -114,8 +139,7 @@ export class Run {
   restore(match: SavedMatch): void {
     this.drop();
     this.energies.value = [];
-    this.solved.value = this.subject.shapes.value;
-    this.frame.value = { kind: "frame", run: 0, trail: [], ...match };
+    this.last.value = { ...this.present, frame: { kind: "frame", run: 0, trail: [], rest: null, ...match } };
     this.fresh.value = true;
     this.advance("restore");
   }
@@ -146,7 +170,7 @@ export class Run {
 
   /** To be called when `frame` has been drawn: reports how long it took from the hand to the picture. */
   drawn(frame: FrameReply | null): void {
-    if (this.received === null || frame !== this.frame.value) return;
+    if (this.received === null || frame !== this.last.value?.frame) return;
     performance.measure("live-frame", { start: this.received, end: performance.now() });
     // Observers have it; kept in the page's timeline, every frame would cost memory for good.
     performance.clearMeasures("live-frame");
@@ -163,10 +187,19 @@ export class Run {
     this.solver.inspect(curves(reference), curves(template), { finest: finestLevel(this.subject.settings.value) });
   }
 
-  private get current(): boolean {
-    const solved = this.solved.value;
-    const { reference, template } = this.subject.shapes.value;
-    return solved?.reference === reference && solved.template === template;
+  private begins(settings: Chosen): void {
+    this.forget();
+    this.subject.say(null);
+    this.energies.value = [];
+    this.advance("start");
+    const { reference, template } = this.begin(settings);
+    // The last picture stays until the first frame of the new run, but not its numbers.
+    this.fresh.value = false;
+    this.solver.start(reference, template, settings);
+  }
+
+  private get present(): Inputs {
+    return { ...this.subject.shapes.value, settings: this.subject.settings.value };
   }
 
   /** Whether the event has changed the state. */
@@ -180,12 +213,12 @@ export class Run {
     // First of all, for the next update is to be on its way before this frame is drawn.
     this.follower.answered();
     const { status } = frame;
-    const before = this.frame.value;
+    const before = this.last.value?.frame;
     const { value: phase } = this.state;
     this.received = this.asked;
     this.asked = null;
     if (phase === "astray") this.subject.say(null);
-    this.frame.value = frame;
+    this.last.value = { ...(this.sent ?? this.present), frame };
     this.fresh.value = true;
     // Each update's energies are a history of their own, and too short to be read while the hand moves.
     if (!isFollowing(phase)) {
@@ -197,6 +230,10 @@ export class Run {
       return;
     }
     const ended = this.advance(status.finished ? "finish" : "frame") && this.state.value === "matched";
+    if (ended && this.glancing) {
+      this.glancing = false;
+      if (this.stale.value) this.settle();
+    }
     // The hand has moved on during a full match: catch up with it.
     if (ended && this.subject.followsHand()) this.follow(performance.now());
   }
@@ -218,13 +255,14 @@ export class Run {
   private end(event: "cancel" | "drop"): void {
     this.forget();
     this.advance(event);
-    this.frame.value = null;
+    this.last.value = null;
   }
 
   private forget(): void {
     clearTimeout(this.restarting);
     this.follower.stop();
     this.asked = null;
+    this.glancing = false;
   }
 
   private sendFollowing(at: number): void {
@@ -235,15 +273,19 @@ export class Run {
   }
 
   private update(settings: Chosen): void {
-    const { reference, template } = this.begin();
+    const { reference, template } = this.begin(settings);
     this.solver.update(reference, template, complete(settings));
   }
 
-  private begin() {
+  private begin(settings: Chosen) {
     const { reference, template } = this.subject.shapes.value;
-    this.solved.value = { reference, template };
+    this.sent = { reference, template, settings };
     return { reference: curves(reference), template: curves(template) };
   }
+}
+
+function sameShapes(a: Shapes, b: Shapes): boolean {
+  return a.reference === b.reference && a.template === b.template;
 }
 
 function curves(shape: Shape) {

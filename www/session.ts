@@ -5,7 +5,8 @@ import type { Engine } from "./engine";
 import { begun, changed, type History, redone, undone } from "./history";
 import { isFollowing, isPaused } from "./phase";
 import type { MatchRecord } from "./record";
-import { Run } from "./run";
+import { type Result, Run } from "./run";
+import { Runs } from "./runs";
 import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
 import { fitted, type Shape } from "./shapes/geometry";
 import type { Preset } from "./shapes/presets";
@@ -43,6 +44,9 @@ export class Session {
   /** 0 shows the identity, 1 the match. */
   readonly morph = signal(1);
 
+  /** The matches so far. */
+  readonly runs = new Runs();
+
   readonly shapes;
   readonly canUndo;
   readonly canRedo;
@@ -77,6 +81,17 @@ export class Session {
     });
     this.rememberChanges(opened.remembered ? null : this.link());
     this.inspectChanges();
+    this.keepRuns();
+  }
+
+  /** Shows one of the matches so far, with the shapes and settings that it was computed from. */
+  showAgain(result: Result): void {
+    const { reference, template } = this.history.value.present;
+    this.settings.value = result.settings;
+    if (result.reference !== reference || result.template !== template)
+      this.commit(pairFrom(result.reference, result.template, null));
+    this.morph.value = 1;
+    this.run.restore(result.frame);
   }
 
   get phase() {
@@ -89,6 +104,16 @@ export class Session {
 
   get match() {
     return this.run.match;
+  }
+
+  /** The match that is shown, with the shapes and settings that it was computed from. */
+  get result() {
+    return this.run.result;
+  }
+
+  /** Whether the match that is shown belongs to other settings than the present ones. */
+  get stale() {
+    return this.run.stale;
   }
 
   get fresh() {
@@ -153,13 +178,14 @@ export class Session {
 
   /** Shows what a link holds; the shapes before it are one undo away. */
   openLink(hash: string): void {
-    const { saved, problem } = open(hash, null);
+    const { saved, problem, later } = open(hash, null);
     if (problem) {
       this.problem.value = problem;
       return;
     }
     this.settings.value = saved.settings;
     this.commit(pairFrom(saved.reference, saved.template, saved.preset));
+    if (!later) this.glance();
   }
 
   /** Shows a saved match as it was; the shapes before it are one undo away. */
@@ -177,6 +203,12 @@ export class Session {
   changeSetting(field: SettingField, value: number | string | boolean): void {
     this.settings.value = withSetting(this.settings.value, field, value);
     this.settingsChanged();
+  }
+
+  /** Chooses a value and matches with it. */
+  tryOut(field: SettingField, value: number): void {
+    this.changeSetting(field, value);
+    if (!this.live.value && !this.empty) this.start();
   }
 
   /** Takes a grid of this level for the finest and matches on it. */
@@ -204,6 +236,11 @@ export class Session {
     if (!on && isFollowing(this.phase.value)) this.settle();
     if (!on || this.empty || this.run.upToDate) return;
     this.start();
+  }
+
+  /** A match without being asked for one: for whoever has just come, or has opened a link. */
+  glance(): void {
+    if (!this.empty) this.run.glance();
   }
 
   start(): void {
@@ -272,8 +309,16 @@ export class Session {
 
   private shapesChanged(): void {
     if (this.live.value) this.settle();
-    else if (isPaused(this.phase.value)) this.run.drop();
+    else if (this.empty || isPaused(this.phase.value)) this.run.drop();
     else this.run.restartSoon();
+  }
+
+  /** What only follows the hand is no run to come back to. */
+  private keepRuns(): void {
+    effect(() => {
+      const { result, stale, phase } = this.run;
+      if (phase.value === "matched" && result.value && !stale.value && !this.live.value) this.runs.add(result.value);
+    });
   }
 
   private inspectChanges(): void {

@@ -6,6 +6,8 @@ import { SETTINGS, type Setting } from "./wasm/settings.js";
 type Common = {
   readonly name: Exclude<keyof Settings, "pins">;
   readonly label: string;
+  /** As the formulas have it, an index after a low line; part of the label where it has none. */
+  readonly symbol: string;
   readonly help: string;
   readonly group: "Energies" | "Grid" | "Method";
 };
@@ -35,7 +37,7 @@ function fieldOf(setting: Setting): SettingField[] {
   const { name, symbol, help, group } = setting;
   // A symbol with an index cannot be set as plain text.
   const label = symbol === "" || symbol.includes("_") ? setting.label : `${setting.label} ${symbol}`;
-  const common = { name, label, help, group };
+  const common = { name, label, symbol, help, group };
   switch (setting.kind) {
     case "number": {
       const [least, most] = setting.usual;
@@ -80,6 +82,14 @@ export function withSetting(chosen: Chosen, field: SettingField, value: number |
 /** Every setting of the page by value: what an update of a run needs, where a field left out keeps its last value. */
 export function complete(chosen: Chosen): Chosen {
   return Object.fromEntries(FIELDS.map(({ name, initial }) => [name, chosen[name] ?? initial]));
+}
+
+/** Whether two choices come to the same: one left out is its default. */
+export function sameSettings(a: Chosen, b: Chosen): boolean {
+  const [first, second] = [a, b].map((chosen) => ({ ...chosen, ...complete(chosen) })) as Record<string, unknown>[];
+  // As text, for pins are lists; none of them are as good as an empty one.
+  const text = (value: unknown) => String(value ?? "");
+  return [...Object.keys(first), ...Object.keys(second)].every((name) => text(first[name]) === text(second[name]));
 }
 
 /** Half width of the band in domain units, as the solver chooses it. */

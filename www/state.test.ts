@@ -60,7 +60,7 @@ describe("a broken link", () => {
   });
 
   test("an anchor of the page is no link", () => {
-    expect(open("#method", null)).toEqual({ saved: fallback(), problem: null, remembered: false });
+    expect(open("#method", null)).toEqual({ saved: fallback(), problem: null, remembered: false, later: false });
   });
 
   test("damaged storage gives the first example", () => {

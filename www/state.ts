@@ -103,6 +103,8 @@ export type Opened = {
   readonly problem: string | null;
   /** The shapes come from the storage, so that the address does not hold them yet. */
   readonly remembered: boolean;
+  /** The link asks for the match to be left to a press: `match=later`, for those who are to guess it first. */
+  readonly later: boolean;
 };
 
 /**
@@ -113,15 +115,17 @@ export function open(hash: string, stored: string | null): Opened {
   const remembered = fromStorage(stored);
   const text = hash.replace(/^#/, "");
   // An anchor of the page itself, such as #method, is no link to shapes.
-  if (!text.includes("=")) return { saved: remembered, problem: null, remembered: stored !== null };
+  if (!text.includes("=")) return { saved: remembered, problem: null, remembered: stored !== null, later: false };
   try {
-    return { saved: decode(text), problem: null, remembered: false };
+    const later = new URLSearchParams(text).get("match") === "later";
+    return { saved: decode(text), problem: null, remembered: false, later };
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
     return {
       saved: remembered,
       problem: `The link could not be read: ${why}. Your last shapes are shown instead; ask for a fresh link to see the others.`,
       remembered: false,
+      later: false,
     };
   }
 }

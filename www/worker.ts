@@ -4,6 +4,8 @@
  */
 
 import type { Inspection, Iteration, Reply, Request, Status } from "./protocol";
+import { kept } from "./trail";
+import { identity } from "./view/identity";
 import init, { inspect, Registration } from "./wasm/thinshell.js";
 
 /** Solving between two looks at the message queue. */
@@ -60,6 +62,8 @@ const running = {
   updated: false,
   /** Iterations that no frame has shown yet. */
   trail: [] as Iteration[],
+  /** The energies of the identity, of the last level that was asked. */
+  rest: null as { readonly level: number; readonly energies: Status["energies"] } | null,
 };
 
 async function loop(): Promise<never> {
@@ -96,6 +100,7 @@ async function begin(start: Start): Promise<void> {
   running.finished = false;
   running.updated = false;
   running.trail = [];
+  running.rest = null;
   lastFrameTaken = true;
   try {
     running.registration = await Registration.create(start.reference, start.template, start.settings);
@@ -148,20 +153,33 @@ async function solve(registration: Registration): Promise<void> {
   let status: Status;
   do {
     status = await registration.step(1);
-    running.trail.push({ ...status.energies, level: status.level, iteration: status.iteration });
+    const { level, iteration } = status;
+    const picture = running.updated ? {} : { kept: kept(registration.deformation(), level) };
+    running.trail.push({ ...status.energies, level, iteration, ...picture });
   } while (!status.finished && performance.now() < until);
   running.finished = status.finished;
   // The last frame carries the result, so it always goes out.
   if (!lastFrameTaken && !status.finished) return;
   const deformation = registration.deformation();
   const curves = registration.curves();
+  const rest = restOf(registration, status.level);
   const { trail } = running;
   running.trail = [];
   lastFrameTaken = false;
-  post({ kind: "frame", run: running.run, status, deformation, curves, trail }, [
+  post({ kind: "frame", run: running.run, status, rest, deformation, curves, trail }, [
     deformation.buffer as ArrayBuffer,
     ...[...curves.reference, ...curves.template, ...curves.matched].map((curve) => curve.buffer as ArrayBuffer),
+    ...trail.flatMap((one) => (one.kept ? [one.kept.buffer as ArrayBuffer] : [])),
   ]);
+}
+
+/** Once a level; while the match goes after a hand, what was known before is near enough. */
+function restOf(registration: Registration, level: number): Status["energies"] | null {
+  if (running.rest?.level !== level && !running.updated) {
+    const nodes = identity(2 ** level);
+    running.rest = { level, energies: registration.evaluate(nodes).energies };
+  }
+  return running.rest?.level === level ? running.rest.energies : null;
 }
 
 function post(reply: Reply, transfer: Transferable[] = []): void {

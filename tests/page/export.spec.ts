@@ -6,7 +6,7 @@ import { initSync, Registration } from "../../www/wasm/thinshell.js";
 import { choose, type File, file, svg, svgFile, take } from "./files";
 import { button, finished, result, value, watch } from "./handles";
 
-const PLAIN = "./#v=1&preset=star&finest=6&align=none";
+const PLAIN = "./#v=1&preset=star&finest=6&align=none&match=later";
 
 async function match(page: Page): Promise<void> {
   await button(page, "Match").click();
@@ -163,7 +163,7 @@ test("everything as JSON loads to the same state", async ({ page, context }) => 
 
   const other = await context.newPage();
   const seen = watch(other);
-  await other.goto("./#v=1&preset=ellipse&finest=5");
+  await other.goto("./#v=1&preset=ellipse&finest=5&match=later");
   await choose(other, "Reference", saved);
   await expect(other.getByText("A saved match on the 65 × 65 grid")).toBeVisible();
   await button(other, "Open everything").click();
@@ -186,7 +186,7 @@ test("a saved match stays as it is where the match follows the hand", async ({ p
   const shown = await numbers(page);
   const saved = await save(page, "Everything (JSON)");
   await page.goto("about:blank");
-  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await page.goto("./#v=1&preset=ellipse&finest=5&match=later");
   const live = page.getByRole("switch", { name: "Live" });
   await live.click();
   await finished(page);

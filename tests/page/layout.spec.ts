@@ -12,7 +12,7 @@ for (const colorScheme of ["light", "dark"] as const) {
 
       test("has no accessibility violation, before, after and with everything open", async ({ page }) => {
         const seen = watch(page);
-        await page.goto("./#v=1&preset=ellipse&finest=5");
+        await page.goto("./#v=1&preset=ellipse&finest=5&match=later");
         expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
         await button(page, "Match").click();
         await finished(page);
@@ -25,7 +25,7 @@ for (const colorScheme of ["light", "dark"] as const) {
       });
 
       test("has nothing to scroll sideways", async ({ page }) => {
-        await page.goto("./#v=1&preset=ellipse&finest=5");
+        await page.goto("./#v=1&preset=ellipse&finest=5&match=later");
         await button(page, "Match").click();
         await finished(page);
         await settings(page).click();
@@ -36,7 +36,7 @@ for (const colorScheme of ["light", "dark"] as const) {
 }
 
 test("at 1280 × 800 everything to draw and match with is in sight", async ({ page }) => {
-  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await page.goto("./#v=1&preset=ellipse&finest=5&match=later");
   await button(page, "Match").click();
   await finished(page);
   for (const part of [
@@ -72,5 +72,52 @@ test.describe("on a phone", () => {
         .poll(() => canvas.evaluate((element) => (element as HTMLCanvasElement).width))
         .toBe(Math.round((box?.width ?? 0) * 3));
     }
+  });
+});
+
+test("nothing scrolls sideways at any width, with everything open", async ({ page }) => {
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await finished(page);
+  for (const title of ["Settings", "Energies over iterations", "Runs so far", "Compare side by side"]) {
+    await page.locator("summary", { hasText: title }).click();
+  }
+  await page.getByText("For those who know the paper").click();
+  await page.getByLabel("View", { exact: true }).selectOption("Image pulled back");
+  await expect(page.locator(".legend")).toBeVisible();
+  // 640 and 320 are what 1280 pixels are at 200 % and 400 %.
+  for (const width of [320, 390, 640, 768, 901, 1024, 1100, 1280, 3840]) {
+    await page.setViewportSize({ width, height: 800 });
+    await expect
+      .poll(() => page.evaluate(() => document.documentElement.scrollWidth), `${width}`)
+      .toBeLessThanOrEqual(width);
+    // The picker shows the whole name of its longest view.
+    const picker = page.getByLabel("View", { exact: true });
+    expect(await picker.evaluate((select) => select.clientWidth), `${width}`).toBeGreaterThanOrEqual(135);
+  }
+});
+
+test("has no accessibility violation in forced colours", async ({ page }) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await finished(page);
+  await settings(page).click();
+  await expect(page.getByText("For those who know the paper")).toBeVisible();
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+});
+
+test.describe("under fingers", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("whatever is pressed is 44 pixels high", async ({ page }) => {
+    await page.goto("./#v=1&preset=ellipse&finest=5");
+    await finished(page);
+    await settings(page).click();
+    await expect(page.getByText("For those who know the paper")).toBeVisible();
+    const small = await page.evaluate(() =>
+      [...document.querySelectorAll<HTMLElement>("button, select, summary, #app input")]
+        .filter((element) => element.checkVisibility() && element.getBoundingClientRect().height < 44)
+        .map((element) => `${element.tagName} ${element.className} ${element.textContent}`),
+    );
+    expect(small).toEqual([]);
   });
 });

@@ -44,7 +44,7 @@ test("two curves drawn with the mouse are matched within half a cell and without
 });
 
 test("the status shows the run as it goes, and the end only at the end", async ({ page }) => {
-  await page.goto("./#v=1&preset=star&finest=6&minimizer=ncg");
+  await page.goto("./#v=1&preset=star&finest=6&minimizer=ncg&match=later");
   const status = page.getByRole("status");
   await expect(status.locator("data")).toHaveCount(0);
   await expect(page.getByRole("progressbar")).toHaveCount(0);
@@ -56,7 +56,7 @@ test("the status shows the run as it goes, and the end only at the end", async (
 });
 
 test("the slider morphs between the identity and the match", async ({ page }) => {
-  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await page.goto("./#v=1&preset=ellipse&finest=5&match=later");
   await expect(page.getByRole("slider", { name: "Morph" })).toBeDisabled();
   const shown = () => picture(result(page));
   await button(page, "Match").click();
@@ -69,7 +69,7 @@ test("the slider morphs between the identity and the match", async ({ page }) =>
 });
 
 test("the morph plays, and only steps where motion is unwelcome", async ({ page }) => {
-  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await page.goto("./#v=1&preset=ellipse&finest=5&match=later");
   await button(page, "Match").click();
   await finished(page);
   const slider = page.getByRole("slider", { name: "Morph" });
@@ -83,7 +83,7 @@ test("the morph plays, and only steps where motion is unwelcome", async ({ page 
 });
 
 test("the template takes the colours of its partners when the match is done", async ({ page }) => {
-  await page.goto("./#v=1&preset=leaf&finest=5");
+  await page.goto("./#v=1&preset=leaf&finest=5&match=later");
   await expect.poll(async () => (await paint(surface(page, "Template"))).painted).toBeGreaterThan(0);
   const before = await paint(surface(page, "Template"));
   await button(page, "Match").click();

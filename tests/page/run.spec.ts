@@ -2,7 +2,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { button, choose, clear, ellipse, finished, result, stroke, surface, value, watch } from "./handles";
 
 /** A run long enough to be interrupted on any machine: the slower minimiser on a grid finer than the usual. */
-const LONG = "./#v=1&preset=clover&finest=8&minimizer=ncg";
+const LONG = "./#v=1&preset=clover&finest=8&minimizer=ncg&match=later";
 
 async function start(page: Page): Promise<void> {
   await button(page, "Match").click();

@@ -5,7 +5,7 @@ import { expect, type Page, test, type Worker } from "@playwright/test";
 import { file } from "./files";
 import { button, choose, finished, value, watch } from "./handles";
 
-const EASY = "./#v=1&preset=ellipse&finest=5";
+const EASY = "./#v=1&preset=ellipse&finest=5&match=later";
 
 /** Notes every worker that the page asks for. */
 async function countWorkers(page: Page): Promise<() => Promise<number>> {

@@ -1,18 +1,13 @@
-import { type Signal, useComputed, useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import { useEffect, useMemo } from "preact/hooks";
 import { sentence } from "../run";
 import type { Session } from "../session";
-import { bandwidth, type Chosen, FIELDS, parseSetting, withSetting } from "../settings";
-import type { ResultScene } from "../view/result";
+import { type Chosen, FIELDS, parseSetting, withSetting } from "../settings";
 import { adopt } from "./adopt";
 import style from "./compare.css?inline";
-import { Comparison, type Outcome } from "./compared";
-import { Legend } from "./Legend";
-import { MatchCanvas } from "./MatchCanvas";
-import { decimals } from "./numbers";
-import { Readout } from "./Readout";
+import { Comparison } from "./compared";
+import { Pair } from "./Pair";
 import { ViewPicker } from "./ViewPicker";
-import { lazy, view } from "./viewing";
 
 adopt(style);
 
@@ -76,13 +71,7 @@ export function Compare({ session }: { session: Session }) {
           />
         </label>
       </div>
-      {(left || right) && (
-        <div class="pair">
-          <Panel session={session} comparison={comparison} index={0} />
-          <Panel session={session} comparison={comparison} index={1} />
-        </div>
-      )}
-      {left && right && <Differences a={left} b={right} />}
+      <Pair session={session} outcomes={outcomes} names={SIDES} />
     </>
   );
 }
@@ -143,98 +132,4 @@ function ChangeField({ side, change }: { side: "A" | "B"; change: Signal<Change>
 function changed(settings: Chosen, { field: name, value }: Change): Chosen {
   const field = FIELDS.find((candidate) => candidate.name === name);
   return field ? withSetting(settings, field, parseSetting(field, value)) : settings;
-}
-
-type PanelProperties = { readonly session: Session; readonly comparison: Comparison; readonly index: 0 | 1 };
-
-function Panel({ session, comparison, index }: PanelProperties) {
-  const { outcomes } = comparison;
-  const match = useComputed(() => {
-    const outcome = outcomes.value[index];
-    return outcome && matchOf(outcome);
-  });
-  const scene = useComputed<ResultScene>(() => {
-    const outcome = outcomes.value[index];
-    return {
-      reference: outcome?.reference ?? [],
-      template: outcome?.template ?? [],
-      match: match.value,
-      morph: session.morph.value,
-      bandwidth: bandwidth(outcome?.settings ?? {}),
-    };
-  });
-  // One scale for both, or their colours could not be compared.
-  const limit = useComputed(() =>
-    Math.max(
-      ...outcomes.value.map(
-        (outcome) =>
-          (outcome && lazy.value?.views.limitOf(view.value, matchOf(outcome), bandwidth(outcome.settings))) || 0,
-      ),
-      Number.MIN_VALUE,
-    ),
-  );
-  const label = `Result of ${SIDES[index]}`;
-  return (
-    <figure class="side">
-      <figcaption>{SIDES[index]}</figcaption>
-      <div class="surface">
-        <MatchCanvas label={label} scene={scene} limit={limit} />
-        <Legend session={session} match={match} limit={limit} />
-        <Readout match={match} name={`Numbers at the point, ${SIDES[index]}`} />
-      </div>
-    </figure>
-  );
-}
-
-function matchOf({ frame: { status, deformation, curves } }: Outcome) {
-  return { level: status.level, deformation, curves };
-}
-
-function Differences({ a, b }: { a: Outcome; b: Outcome }) {
-  return (
-    <table class="differences">
-      <caption class="unseen">Differences between A and B</caption>
-      <thead>
-        <tr>
-          <td />
-          <th scope="col">A</th>
-          <th scope="col">B</th>
-          <th scope="col">B − A</th>
-        </tr>
-      </thead>
-      <tbody>
-        {rowsOf(a).map(([name, first], i) => {
-          const second = rowsOf(b)[i][1];
-          return (
-            <tr key={name}>
-              <th scope="row">{name}</th>
-              <td>{decimals(first)}</td>
-              <td>{decimals(second)}</td>
-              <td>{decimals(second - first).replace("-", "−")}</td>
-            </tr>
-          );
-        })}
-      </tbody>
-    </table>
-  );
-}
-
-function rowsOf({ frame: { status }, millis }: Outcome): readonly (readonly [string, number])[] {
-  const { energies, mismatch, cover, stretch } = status;
-  return [
-    ["Energy", energies.total],
-    ["of stretching", energies.membrane],
-    ["of bending", energies.bending],
-    ["of the mismatch", energies.mismatch],
-    ["of the volume", energies.volume],
-    ["Largest distance, cells", mismatch.max],
-    ["Mean distance, cells", mismatch.mean],
-    ["Template missed by, cells", cover.max],
-    ["Length ratio", status.measure],
-    ["Mean stretch", stretch.mean],
-    ["Deviation of the stretch", stretch.deviation],
-    ["Least area ratio", status.leastDeterminant],
-    ["Evaluations", status.evaluations],
-    ["Time, ms", millis],
-  ];
 }

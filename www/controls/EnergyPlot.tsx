@@ -1,12 +1,16 @@
-import { effect } from "@preact/signals";
+import { effect, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import plotStyle from "uplot/dist/uPlot.min.css?inline";
 import type { Iteration } from "../protocol";
 import type { Session } from "../session";
+import { matchAt } from "../view/past";
+import { later } from "../words/later";
+import { decimals, power } from "../words/numbers";
+import { gridName } from "../words/said";
 import { adopt } from "./adopt";
 import style from "./energyPlot.css?inline";
-import { decimals } from "./numbers";
+import { past } from "./viewing";
 
 adopt(plotStyle);
 adopt(style);
@@ -54,7 +58,48 @@ export function EnergyPlot({ session }: { session: Session }) {
     <figure class="energy-plot">
       <div ref={place} role="img" aria-label="Energy terms over iterations, logarithmic" />
       {session.energies.value.length === 0 && <p>Press Match to see the energies fall.</p>}
+      <Scrubber session={session} />
     </figure>
+  );
+}
+
+/** Goes back to any iteration, with the picture of it in the result's place. */
+function Scrubber({ session }: { session: Session }) {
+  const at = useSignal<number | null>(null);
+  const trail = session.energies.value;
+  const frame = session.match.value;
+  useEffect(() => {
+    // Another run, or more of this one: its end is what is shown.
+    void trail;
+    at.value = null;
+    past.value = null;
+    return () => {
+      past.value = null;
+    };
+  }, [trail, at]);
+  if (!frame || !trail.some(({ kept }) => kept)) return null;
+  const show = (index: number) => {
+    const last = index >= trail.length - 1;
+    const match = last ? null : matchAt(trail[index], frame.curves);
+    at.value = match && index;
+    past.value = match && { match, words: later.past.at(index + 1, trail.length, gridName(trail[index].level)) };
+  };
+  const index = at.value ?? trail.length - 1;
+  return (
+    <label class="scrubber">
+      {later.past.name}
+      <input
+        type="range"
+        min={0}
+        max={trail.length - 1}
+        value={index}
+        aria-valuetext={later.past.at(index + 1, trail.length, gridName(trail[index].level))}
+        onInput={(event) => show(event.currentTarget.valueAsNumber)}
+      />
+      <output>
+        {index + 1} / {trail.length}
+      </output>
+    </label>
   );
 }
 
@@ -97,16 +142,6 @@ function options(element: HTMLElement, history: () => readonly Iteration[]): uPl
     ],
     hooks: { draw: [(plot) => markLevels(plot, history(), colour("muted"), font)] },
   };
-}
-
-const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-
-/** 10⁻³ for 0.001, and so on; null for all but whole powers of ten, for which alone there is room. */
-export function power(value: number | null): string | null {
-  const exponent = Math.log10(value ?? Number.NaN);
-  if (!(Math.abs(exponent - Math.round(exponent)) < 1e-9)) return null;
-  const digits = String(Math.abs(Math.round(exponent)));
-  return `10${exponent < -0.5 ? "⁻" : ""}${Array.from(digits, (digit) => SUPERSCRIPTS[Number(digit)]).join("")}`;
 }
 
 function markLevels(plot: uPlot, history: readonly Iteration[], stroke: string, font: string): void {

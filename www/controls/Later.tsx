@@ -6,7 +6,7 @@ import { fetched } from "./fetched";
 type Part = FunctionComponent<{ session: Session }>;
 
 /** A part of the page that is fetched when it is first opened. */
-export function Later({ session, name, title, load }: Properties) {
+export function Later({ session, name, title, note, load }: Properties) {
   const part = useSignal<Part | null>(null);
   const open = useSignal(false);
   const toggle = async (details: HTMLDetailsElement) => {
@@ -22,7 +22,10 @@ export function Later({ session, name, title, load }: Properties) {
   const Loaded = part.value;
   return (
     <details class={`later ${name}`} onToggle={(event) => void toggle(event.currentTarget)}>
-      <summary>{title}</summary>
+      <summary>
+        {title}
+        {note && <span class="count"> {note}</span>}
+      </summary>
       {open.value && (Loaded ? <Loaded session={session} /> : <p class="help">Loading …</p>)}
     </details>
   );
@@ -32,5 +35,7 @@ type Properties = {
   readonly session: Session;
   readonly name: string;
   readonly title: string;
+  /** Beside the title. */
+  readonly note?: string;
   readonly load: () => Promise<Part>;
 };

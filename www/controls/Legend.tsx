@@ -8,13 +8,13 @@ import { lazy, picture, view } from "./viewing";
 const BINS = 40;
 
 /** What the colours mean, over the lower edge of the picture. */
-export function Legend({ session, match, limit }: Shown) {
+export function Legend({ session, match, limit, bandwidth }: Shown) {
   const dark = useDark();
   const painter = lazy.value;
   const shown = match.value;
   if (view.value === "grid" || !painter || !shown) return null;
   if (view.value === "image" || view.value === "pullback") return <PictureChoice session={session} />;
-  const scale = painter.views.scaleOf(view.value, limit.value, dark.value);
+  const scale = painter.views.markedScale(view.value, shown, bandwidth, limit.value, dark.value);
   if (!scale) return null;
   return (
     <figure class="legend" aria-label="Legend">
@@ -28,6 +28,8 @@ type Shown = {
   readonly session: Session;
   readonly match: ReadonlySignal<Match | null>;
   readonly limit: ReadonlySignal<number>;
+  /** Of the match. */
+  readonly bandwidth: number;
 };
 
 function ScaleBar({ scale }: { scale: Scale }) {

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { Surface } from "../view/canvas";
-import { blended } from "../view/curve";
+import { movedAt, movedLoops, wayOf } from "../view/morph";
 import { drawMark, localNumbers, probeAt, stepped } from "../view/probe";
 import type { ResultScene } from "../view/result";
 import { draw, lazy, picture, probe, view } from "./viewing";
@@ -32,13 +32,10 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
       draw(context, frame, colours, now, limit.peek());
       const numbers = match && probe.peek() && localNumbers(match, probe.peek() ?? { x: 0, y: 0 });
       if (numbers) {
-        const s = now.morph;
-        const moved = {
-          x: (1 - s) * numbers.x + s * numbers.partnerX,
-          y: (1 - s) * numbers.y + s * numbers.partnerY,
-        };
+        const partner = Float64Array.of(numbers.partnerX, numbers.partnerY);
+        const [x, y] = movedAt(wayOf(match), [numbers.x, numbers.y], partner, now.morph);
         drawMark(context, frame, colours, numbers, colours.reference);
-        drawMark(context, frame, colours, moved, colours.template);
+        drawMark(context, frame, colours, { x, y }, colours.template);
       }
       drawn?.(now);
     });
@@ -57,9 +54,8 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
     const { match, morph } = scene.peek();
     if (!match || !surface.current) return;
     const { x, y } = surface.current.pointFrom(event);
-    const { reference, matched } = match.curves;
-    const moved = matched.map((loop, l) => blended(reference[l], loop, morph));
-    probe.value = probeAt(reference, moved, x, y, REACH / surface.current.pixelsPerUnit);
+    const { reference } = match.curves;
+    probe.value = probeAt(reference, movedLoops(match, morph), x, y, REACH / surface.current.pixelsPerUnit);
   };
   const press = (event: KeyboardEvent) => {
     const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];

@@ -1,12 +1,14 @@
-import { useSignal } from "@preact/signals";
+import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Session } from "../session";
+import { foldOf } from "../view/morph";
+import { en } from "../words/en";
+import { PLAYS, type Play, partAt } from "./playing";
 
-const PLAY_MILLIS = 2200;
-
-/** Slides between the identity and the match: (1 − s) x + s φ(x). */
+/** Slides between the identity and the match; see view/morph.ts for the way between them. */
 export function Morph({ session }: { session: Session }) {
   const playing = useSignal(false);
+  const play = useSignal<Play>("once");
   const pending = useRef(0);
   const stop = () => {
     cancelAnimationFrame(pending.current);
@@ -14,11 +16,7 @@ export function Morph({ session }: { session: Session }) {
   };
   useEffect(() => stop, []);
 
-  const play = () => {
-    if (playing.value) {
-      stop();
-      return;
-    }
+  const start = () => {
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
       session.morph.value = session.morph.value < 0.5 ? 1 : 0;
       return;
@@ -26,9 +24,9 @@ export function Morph({ session }: { session: Session }) {
     playing.value = true;
     const begin = performance.now();
     const tick = (now: number) => {
-      const part = Math.min(1, Math.max(0, now - begin) / PLAY_MILLIS);
-      session.morph.value = (1 - Math.cos(Math.PI * part)) / 2;
-      if (part < 1) pending.current = requestAnimationFrame(tick);
+      const part = partAt(play.value, now - begin);
+      session.morph.value = part ?? 1;
+      if (part !== null) pending.current = requestAnimationFrame(tick);
       else playing.value = false;
     };
     pending.current = requestAnimationFrame(tick);
@@ -41,15 +39,15 @@ export function Morph({ session }: { session: Session }) {
       <button
         type="button"
         disabled={none}
-        aria-label={playing.value ? "Stop the morph" : "Play the morph"}
-        onClick={play}
+        aria-label={playing.value ? en.morph.stop : en.morph.play}
+        onClick={() => (playing.value ? stop() : start())}
       >
         <svg viewBox="0 0 16 16" aria-hidden="true">
           <path d={playing.value ? "M3 3h10v10H3z" : "M4 2l10 6-10 6z"} />
         </svg>
       </button>
-      <label>
-        <span>Morph</span>
+      <label class="way">
+        <span class="unseen">{en.morph.name}</span>
         <input
           type="range"
           min={0}
@@ -57,7 +55,7 @@ export function Morph({ session }: { session: Session }) {
           step={1}
           value={percent}
           disabled={none}
-          aria-valuetext={`${percent} % of the deformation`}
+          aria-valuetext={en.morph.part(percent)}
           onInput={(event) => {
             stop();
             session.morph.value = event.currentTarget.valueAsNumber / 100;
@@ -65,6 +63,33 @@ export function Morph({ session }: { session: Session }) {
         />
         <span class="percent">{percent} %</span>
       </label>
+      <select
+        aria-label={en.morph.how}
+        value={play.value}
+        onChange={(event) => {
+          play.value = event.currentTarget.value as Play;
+        }}
+      >
+        {PLAYS.map((way) => (
+          <option key={way} value={way}>
+            {en.morph.plays[way]}
+          </option>
+        ))}
+      </select>
+      <Folds session={session} />
     </div>
   );
+}
+
+/** Where the plane folds on its way, that is said: the match itself never does. */
+function Folds({ session }: { session: Session }) {
+  // Looked for only when somebody leaves the match's end of the way.
+  const away = useComputed(() => session.morph.value < 1);
+  const fold = useComputed(() => {
+    const frame = away.value ? session.match.value : null;
+    return frame && foldOf({ level: frame.status.level, deformation: frame.deformation, curves: frame.curves });
+  });
+  if (!fold.value) return null;
+  const [first, last] = fold.value.map((part) => Math.round(100 * part));
+  return <p class="folds">{en.morph.folds(first, last)}</p>;
 }

@@ -1,6 +1,7 @@
 import type { Session } from "../session";
 import type { Shape } from "../shapes/geometry";
 import { PRESETS } from "../shapes/presets";
+import { reveal } from "./Stage";
 
 /** Examples that start with one click. */
 export function Presets({ session }: { session: Session }) {
@@ -18,7 +19,10 @@ export function Presets({ session }: { session: Session }) {
               title={preset.title}
               aria-label={preset.title}
               aria-pressed={preset.id === chosen}
-              onClick={() => session.choosePreset(preset)}
+              onClick={() => {
+                session.choosePreset(preset);
+                reveal();
+              }}
             >
               <svg viewBox="0 0 1.46 0.76" aria-hidden="true">
                 <path class="reference" d={path(preset.reference, -0.12)} />

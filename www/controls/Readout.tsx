@@ -1,7 +1,7 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { localNumbers } from "../view/probe";
 import type { Match } from "../view/result";
-import { decimals } from "./numbers";
+import { decimals } from "../words/numbers";
 import { probe } from "./viewing";
 
 /** The numbers at the place that is pointed at, in the half of the picture where it is not. */

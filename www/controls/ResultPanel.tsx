@@ -1,32 +1,37 @@
 import { useComputed } from "@preact/signals";
 import { useCallback } from "preact/hooks";
-import { isDone, isFollowing, isPaused } from "../phase";
+import type { FrameReply } from "../protocol";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
 import type { ResultScene } from "../view/result";
-import { Legend, takePicture } from "./Legend";
+import { unreached } from "../view/unreached";
+import { en } from "../words/en";
+import { resultState } from "../words/said";
 import { MatchCanvas } from "./MatchCanvas";
-import { decimals } from "./numbers";
 import { Readout } from "./Readout";
-import { limitOf, view } from "./viewing";
+import { lazy, limitOf, past, view } from "./viewing";
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */
 export function ResultPanel({ session }: { session: Session }) {
-  const match = useComputed(() => matchOf(session));
+  const match = useComputed(() => past.value?.match ?? matchOf(session));
+  // Of the match that is shown, whatever has been chosen since.
+  const width = useComputed(() => bandwidth((session.result.value ?? { settings: session.settings.value }).settings));
   const scene = useComputed<ResultScene>(() => ({
     ...session.shapes.value,
     match: match.value,
     morph: session.morph.value,
-    bandwidth: bandwidth(session.settings.value),
+    bandwidth: width.value,
+    missed: past.value ? [] : missedBy(session.result.value?.frame ?? null),
   }));
-  const limit = useComputed(() => limitOf(match.value, bandwidth(session.settings.value)));
-  const label = useComputed(() => `Deformed grid and matched curve: ${words(session)}`);
+  const limit = useComputed(() => limitOf(match.value, width.value));
+  const label = useComputed(() => `Deformed grid and matched curve: ${state(session)}`);
   const drawn = useCallback(() => session.drawn(), [session]);
+  const Legend = lazy.value?.legends.Legend;
   const showsPicture = view.value === "image" || view.value === "pullback";
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: dropping is one way more; the legend has a button for it
     <div
-      class="shown"
+      class={session.stale.value ? "shown stale" : "shown"}
       onDragOver={(event) => showsPicture && event.preventDefault()}
       onDrop={(event) => {
         const [file] = event.dataTransfer?.files ?? [];
@@ -34,14 +39,22 @@ export function ResultPanel({ session }: { session: Session }) {
         // The rest of the page takes files for shapes.
         event.preventDefault();
         event.stopPropagation();
-        void takePicture(session, file);
+        void lazy.value?.legends.takePicture(session, file);
       }}
     >
+      {past.value && <p class="outdated past">{past.value.words}</p>}
+      {session.stale.value && !past.value && <p class="outdated">{en.result.outdated}</p>}
       <MatchCanvas label={label} scene={scene} limit={limit} drawn={drawn} />
-      <Legend session={session} match={match} limit={limit} />
+      {Legend && <Legend session={session} match={match} limit={limit} bandwidth={width.value} />}
       <Readout match={match} />
     </div>
   );
+}
+
+/** Looked for only where the solver says that there is something. */
+function missedBy(frame: FrameReply | null): readonly Float64Array[] {
+  if (!frame?.status.finished || !(frame.status.cover.max > 1)) return [];
+  return unreached(frame.curves.template, frame.curves.matched, frame.status.level);
 }
 
 function matchOf(session: Session) {
@@ -49,17 +62,7 @@ function matchOf(session: Session) {
   return frame && { level: frame.status.level, deformation: frame.deformation, curves: frame.curves };
 }
 
-function words(session: Session): string {
-  const phase = session.phase.value;
-  const status = session.match.value?.status;
-  if (!status) return phase === "preparing" ? "the solver is starting" : "not matched yet, the grid is undeformed";
-  if (isDone(phase)) {
-    const max = Math.max(status.mismatch.max, status.cover.max);
-    return Number.isFinite(max)
-      ? `matched, at most ${decimals(max)} cells off, no cell folded`
-      : "matched, but the grid does not see the curve";
-  }
-  const side = 2 ** status.level + 1;
-  const doing = isPaused(phase) ? "paused" : isFollowing(phase) ? "following your hand" : "matching";
-  return `${doing} on the ${side} by ${side} grid`;
+function state(session: Session): string {
+  const status = session.match.value?.status ?? null;
+  return resultState({ phase: session.phase.value, status, stale: session.stale.value });
 }

@@ -3,22 +3,23 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Draw, Format } from "../export";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
+import { en } from "../words/en";
 import { fetched } from "./fetched";
-import { draw, limitOf } from "./viewing";
+import { draw, limitOf, picture, view } from "./viewing";
 
-const FORMATS: readonly { readonly format: Format; readonly label: string; readonly needsMatch: boolean }[] = [
-  { format: "png", label: "Picture (PNG)", needsMatch: false },
-  { format: "svg", label: "Drawing (SVG)", needsMatch: false },
-  { format: "json", label: "Everything (JSON)", needsMatch: false },
-  { format: "csv", label: "Matched points (CSV)", needsMatch: true },
-  { format: "video", label: "Morph as video (WebM)", needsMatch: true },
-  { format: "gif", label: "Morph as GIF", needsMatch: true },
-];
+const FORMATS: readonly { readonly format: Format; readonly label: string; readonly needsMatch: boolean }[] = (
+  ["png", "svg", "json", "csv", "video", "gif"] as const
+).map((format) => ({
+  format,
+  label: en.save.formats[format],
+  needsMatch: format === "csv" || format === "video" || format === "gif",
+}));
 
 /** The formats in which a match can be taken away. */
 export function Save({ session }: { session: Session }) {
   const menu = useRef<HTMLDetailsElement>(null);
   const busy = useSignal<string | null>(null);
+  const legend = useSignal(false);
 
   useEffect(() => {
     const close = (event: Event) => {
@@ -36,23 +37,35 @@ export function Save({ session }: { session: Session }) {
     busy.value = label;
     try {
       const { saved, download } = await fetched("What saves files", () => import("../export"));
-      const match = session.match.value;
-      const width = bandwidth(session.settings.value);
-      const saving = { ...session.shapes.value, settings: session.settings.value, bandwidth: width, match };
+      const result = session.result.value;
+      const match = result?.frame ?? null;
+      const present = { ...session.shapes.value, settings: session.settings.value };
+      // A match with what it was computed from; a run that is still on its way is no result.
+      const inputs = result && (match?.status.finished || format !== "json") ? result : present;
+      const width = bandwidth(inputs.settings);
+      const { reference, template, settings } = inputs;
+      const saving = { reference, template, settings, bandwidth: width, match };
       const limit = limitOf(match && { ...match, level: match.status.level }, width);
       const drawn: Draw = (context, frame, colours, scene) => draw(context, frame, colours, scene, limit);
-      const file = await saved(saving, format, session.morph.value, drawn);
+      const look = {
+        view: view.value,
+        limit,
+        picture: picture.value,
+        morph: session.morph.value,
+        legend: legend.value,
+      };
+      const file = await saved(saving, format, look, drawn);
       download(file);
       if (file.note) session.problem.value = file.note;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
-      session.problem.value = `${label} could not be saved. ${why}`;
+      session.problem.value = en.save.failed(label, why);
     } finally {
       busy.value = null;
     }
   };
 
-  const matched = session.match.value !== null;
+  const matched = session.result.value !== null;
   return (
     <details
       ref={menu}
@@ -76,6 +89,18 @@ export function Save({ session }: { session: Session }) {
             </button>
           </li>
         ))}
+        <li>
+          <label>
+            <input
+              type="checkbox"
+              checked={legend.value}
+              onChange={(event) => {
+                legend.value = event.currentTarget.checked;
+              }}
+            />
+            {en.save.legend}
+          </label>
+        </li>
       </ul>
     </details>
   );

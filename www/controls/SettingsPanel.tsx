@@ -1,30 +1,47 @@
 import { useSignal } from "@preact/signals";
 import { changedFields, type Session } from "../session";
-import { FIELDS, type NumberSetting, parseSetting, type SettingField } from "../settings";
+import { bandwidth, FIELDS, type NumberSetting, parseSetting, type SettingField } from "../settings";
+import { later } from "../words/later";
+import { decimals } from "../words/numbers";
+import { adopt } from "./adopt";
+import style from "./settings.css?inline";
 import { fromSlider, onSlider, SLIDER_STEPS } from "./slider";
 
+adopt(style);
+
 const GROUPS = ["Energies", "Grid", "Method"] as const;
+
+/** What most people want to change; the others are for those who know the paper. */
+const PLAIN: ReadonlySet<string> = new Set(["membrane", "bending", "penalty", "volume", "finest"]);
 
 /** The model's parameters. Only those that differ from their defaults go to the solver. */
 export function SettingsPanel({ session }: { session: Session }) {
   const changed = changedFields(session.settings.value).length;
   return (
-    <details class="settings">
-      <summary>Settings{changed > 0 && <span class="count"> ({changed} changed)</span>}</summary>
+    <>
       <div class="groups">
-        {GROUPS.map((group) => (
-          <fieldset key={group}>
-            <legend>{group}</legend>
-            {FIELDS.filter((field) => field.group === group).map((field) => (
-              <Field key={field.name} session={session} field={field} />
-            ))}
-          </fieldset>
-        ))}
+        <fieldset>
+          <legend class="unseen">{later.settings.plain}</legend>
+          {FIELDS.filter(({ name }) => PLAIN.has(name)).map((field) => (
+            <Field key={field.name} session={session} field={field} />
+          ))}
+        </fieldset>
+        <details class="experts">
+          <summary>{later.settings.experts}</summary>
+          {GROUPS.map((group) => (
+            <fieldset key={group}>
+              <legend>{later.settings.groups[group]}</legend>
+              {FIELDS.filter((field) => field.group === group && !PLAIN.has(field.name)).map((field) => (
+                <Field key={field.name} session={session} field={field} />
+              ))}
+            </fieldset>
+          ))}
+        </details>
       </div>
       <button type="button" disabled={changed === 0} onClick={() => session.resetSettings()}>
         Reset to defaults
       </button>
-    </details>
+    </>
   );
 }
 
@@ -43,6 +60,7 @@ function Field({ session, field }: { session: Session; field: SettingField }) {
   return (
     <div class="field">
       <label for={id}>{field.label}</label>
+      <Sign text={field.symbol} />
       {field.kind === "choice" ? (
         <select
           id={id}
@@ -76,9 +94,26 @@ function Field({ session, field }: { session: Session; field: SettingField }) {
       {field.kind === "number" && <Slider session={session} field={field} value={Number(value)} />}
       <p id={`${id}-help`} class={problem.value ? "help wrong" : "help"}>
         {problem.value ?? field.help}
+        {field.name === "bandwidth" && value === 0 && ` ${later.settings.automatic(chosenBand(session))}`}
       </p>
     </div>
   );
+}
+
+/** A symbol with an index, beside the word for it; one without stands in the label. */
+function Sign({ text }: { text: string }) {
+  if (!text.includes("_")) return null;
+  const [letter, index] = text.split("_");
+  return (
+    <span class="symbol">
+      {letter}
+      <sub>{index}</sub>
+    </span>
+  );
+}
+
+function chosenBand(session: Session): string {
+  return decimals(bandwidth(session.settings.value));
 }
 
 /** The same value by a slider, which Live follows while it moves. */

@@ -1,65 +1,55 @@
-import { effect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
 import { isDone, isFollowing, isPaused, isWorking } from "../phase";
-import type { Status } from "../protocol";
 import type { Session } from "../session";
 import { coarsestLevel, finestLevel } from "../settings";
-import { drawEnergies } from "../view/chart";
-import { theme } from "../view/palette";
-import { cells, decimals } from "./numbers";
+import { en } from "../words/en";
+import { decimals } from "../words/numbers";
+import { cells, gridName, headline } from "../words/said";
+import { lazy, view } from "./viewing";
 
-/** What goes on, in words and as machine-readable values, with the energies as they fall. */
+/** What goes on, in words and as machine-readable values. */
 export function StatusPanel({ session }: { session: Session }) {
   const phase = session.phase.value;
   const status = session.fresh.value ? session.match.value?.status : undefined;
   const paused = isPaused(phase);
   const working = isWorking(phase) || isFollowing(phase);
   return (
-    <div class="status-row">
-      {/* Thirty updates a second would drown a screen reader: it hears the beginning and the end. */}
-      <div role="status" aria-live={working && !paused && status ? "off" : "polite"}>
-        <p class="headline">{headline(session, status)}</p>
-        {isDone(phase) && status?.verdict && status.stop && <p class="stop">{status.stop}</p>}
-        {!working && <Resolution session={session} />}
-        {status && (
-          <dl>
-            <Value name="level" label="Grid" value={status.level} text={gridName(status.level)} />
-            <Value name="iteration" label="Iteration" value={status.iteration} text={String(status.iteration)} />
-            <Value name="total" label="Energy" value={status.energies.total} text={decimals(status.energies.total)} />
-            {!working && (
-              <>
-                <Value
-                  name="mismatch-max"
-                  label="Largest distance"
-                  value={status.mismatch.max}
-                  text={cells(status.mismatch.max)}
-                />
-                <Value
-                  name="mismatch-mean"
-                  label="Mean distance"
-                  value={status.mismatch.mean}
-                  text={cells(status.mismatch.mean)}
-                />
-                <Value
-                  name="cover-max"
-                  label="Template missed by"
-                  value={status.cover.max}
-                  text={cells(status.cover.max)}
-                />
-                <Value name="measure" label="Length ratio" value={status.measure} text={decimals(status.measure)} />
-                <Value
-                  name="least-determinant"
-                  label="Least area ratio"
-                  value={status.leastDeterminant}
-                  text={decimals(status.leastDeterminant)}
-                />
-              </>
-            )}
-          </dl>
-        )}
-      </div>
-      <EnergyChart session={session} />
+    // Thirty updates a second would drown a screen reader: it hears the beginning and the end.
+    <div class="status" role="status" aria-live={working && !paused && status ? "off" : "polite"}>
+      <p class="headline">
+        {headline({ phase, loaded: session.loaded.value, status: status ?? null, stale: session.stale.value })}
+      </p>
+      {status && (
+        <dl class={session.stale.value ? "stale" : undefined}>
+          <Value name="level" value={status.level} text={gridName(status.level)} />
+          <Value name="iteration" value={status.iteration} text={String(status.iteration)} />
+          <Value name="total" value={status.energies.total} text={decimals(status.energies.total)} />
+          {!working && (
+            <>
+              <Value name="mismatch-max" value={status.mismatch.max} {...cells(status.mismatch.max)} />
+              <Value name="mismatch-mean" value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
+              <Value name="cover-max" value={status.cover.max} {...cells(status.cover.max)} />
+              <Value name="measure" value={status.measure} text={decimals(status.measure)} />
+              <Value
+                name="least-determinant"
+                value={status.leastDeterminant}
+                text={decimals(status.leastDeterminant)}
+              />
+            </>
+          )}
+        </dl>
+      )}
+      {isDone(phase) && !session.stale.value && status?.verdict && status.stop && <p class="stop">{status.stop}</p>}
+      {!working && <Resolution session={session} />}
     </div>
+  );
+}
+
+/** What the colours, lines and ticks of the chosen view mean. */
+export function Caption() {
+  return (
+    <p id="view-caption" class="caption">
+      {lazy.value?.captions[view.value] ?? en.gridCaption}
+    </p>
   );
 }
 
@@ -80,11 +70,13 @@ function Resolution({ session }: { session: Session }) {
   );
 }
 
+type Named = keyof typeof en.numbers & string;
+
 /** For machines only what is a number; for people always words. */
-function Value({ name, label, value, text }: { name: string; label: string; value: number; text: string }) {
+function Value({ name, value, text, unit = "" }: { name: Named; value: number; text: string; unit?: string }) {
   return (
     <div>
-      <dt>{label}</dt>
+      <dt>{en.numbers[name]}</dt>
       <dd>
         {Number.isFinite(value) ? (
           <data data-name={name} value={String(value)}>
@@ -93,35 +85,10 @@ function Value({ name, label, value, text }: { name: string; label: string; valu
         ) : (
           text
         )}
+        {unit && <span class="unit">{unit}</span>}
       </dd>
     </div>
   );
-}
-
-function gridName(level: number): string {
-  const side = 2 ** level + 1;
-  return `${side} × ${side}`;
-}
-
-function headline(session: Session, status: Status | undefined): string {
-  const phase = session.phase.value;
-  switch (phase) {
-    case "idle":
-      return "Ready: press Match.";
-    case "cancelled":
-      return "Cancelled. Press Match to start again.";
-    case "preparing":
-      return session.loaded.value ? "Preparing the shapes …" : "Loading the solver …";
-    case "following":
-    case "astray":
-      return "Following your hand …";
-    case "paused":
-    case "pausedRefining":
-      return "Paused.";
-    default:
-      if (!isDone(phase)) return status ? `${status.approach}, on the ${gridName(status.level)} grid …` : "Matching …";
-      return status ? (status.verdict ?? status.stop ?? "Finished.") : "The shapes have changed: press Match.";
-  }
 }
 
 /** How far the cascade is, as a part of its levels. */
@@ -154,31 +121,5 @@ export function Progress({ session }: { session: Session }) {
     >
       <div style={{ inlineSize: `${percent}%` }} />
     </div>
-  );
-}
-
-function EnergyChart({ session }: { session: Session }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(
-    () =>
-      effect(() => {
-        const history = session.energies.value;
-        const target = canvas.current;
-        const context = target?.getContext("2d");
-        if (!target || !context) return;
-        const { clientWidth, clientHeight } = target;
-        target.width = Math.round(clientWidth * devicePixelRatio);
-        target.height = Math.round(clientHeight * devicePixelRatio);
-        drawEnergies(context, target.width, target.height, devicePixelRatio, theme(), history);
-      }),
-    [session],
-  );
-  return (
-    <figure class="chart" hidden={session.energies.value.length < 2}>
-      <canvas ref={canvas} role="img" aria-label="Energy over iterations" />
-      <figcaption>
-        <span class="total">energy</span> and <span class="mismatch">its mismatch part</span>, logarithmic
-      </figcaption>
-    </figure>
   );
 }

@@ -21,7 +21,7 @@ export function ViewPicker({ session, name = "View" }: { session: Session; name?
       class="view-picker"
       aria-label={name}
       aria-busy={busy.value}
-      title={VIEWS.find((candidate) => candidate.view === view.value)?.help}
+      aria-describedby={name === "View" ? "view-caption" : undefined}
       value={view.value}
       onChange={(event) => void change(event.currentTarget.value as View)}
     >

@@ -13,7 +13,7 @@ export type Outcome = {
   readonly template: Shape;
   readonly frame: FrameReply;
   /** From the start to the last frame. */
-  readonly millis: number;
+  readonly millis?: number;
 };
 
 export type Job = { readonly reference: Shape; readonly template: Shape; readonly settings: Chosen };

@@ -14,10 +14,15 @@ export const view = signal<View>("grid");
 /** The place on the reference that is pointed at. */
 export const probe = signal<Probe | null>(null);
 
+/** An iteration that is looked at again, and what the picture says of it. */
+export const past = signal<{ readonly match: Match; readonly words: string } | null>(null);
+
 /** What draws all views but the grid, once it is there: no part of the first load. */
 export const lazy = signal<{
   readonly views: typeof import("../view/views");
   readonly pictures: typeof import("../view/picture");
+  readonly legends: typeof import("./Legend");
+  readonly captions: Readonly<Record<View, string>>;
 } | null>(null);
 
 /** The picture that the image views carry along. */
@@ -26,11 +31,11 @@ export const picture = signal<Picture | null>(null);
 /** Shows the view, after fetching what draws it. Throws a sentence when that fails. */
 export async function choose(wanted: View): Promise<void> {
   if (wanted !== "grid" && !lazy.value) {
-    const [views, pictures] = await fetched("This view", () =>
-      Promise.all([import("../view/views"), import("../view/picture")]),
+    const [views, pictures, legends, { captions }] = await fetched("This view", () =>
+      Promise.all([import("../view/views"), import("../view/picture"), import("./Legend"), import("../words/later")]),
     );
     picture.value ??= pictures.pattern();
-    lazy.value = { views, pictures };
+    lazy.value = { views, pictures, legends, captions };
   }
   view.value = wanted;
 }

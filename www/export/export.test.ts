@@ -108,9 +108,10 @@ test("the drawing has the deformed grid, partners and the colours of the arc len
   expect(drawing).not.toMatch(/NaN|undefined|Infinity/);
 });
 
-test("halfway through the morph the grid is halfway", () => {
+test("halfway through the morph a doubling has grown by the root of two", () => {
   const drawing = svg(sceneAt(saving(), 0.5), THEME);
-  expect(/id="grid" d="([^"]*)"/.exec(drawing)?.[1].startsWith("M-250 1250L")).toBe(true);
+  const corner = Math.round(1e6 * (0.5 - Math.SQRT1_2)) / 1000;
+  expect(/id="grid" d="([^"]*)"/.exec(drawing)?.[1].startsWith(`M${corner} ${1000 - corner}L`)).toBe(true);
 });
 
 test("without a match there is still a drawing of both shapes on the plane grid", () => {

@@ -1,12 +1,17 @@
 /** Every format in which a match is taken away, by its name. */
 
 import { encodeRecord } from "../record";
+import type { View } from "../view/names";
 import { theme } from "../view/palette";
+import type { Picture } from "../view/raster";
+import { markedScale } from "../view/views";
 import { csv } from "./csv";
+import { legendOf, legendSvg } from "./legend";
 import { gif, type SceneAt, video } from "./morph";
 import { type Draw, png } from "./png";
 import { fileName, type Saving, sceneAt } from "./scene";
 import { svg } from "./svg";
+import { svgOf } from "./svgView";
 
 export type { Draw };
 
@@ -19,20 +24,38 @@ export type Saved = {
   readonly note?: string;
 };
 
-/**
- * `morph` is what the view shows and `draw` how; drawings (SVG) are of the grid. Throws a sentence when the format needs a
- * match and there is none.
- */
-export async function saved(saving: Saving, format: Format, morph: number, draw: Draw): Promise<Saved> {
+/** How the match is looked at, and whether pictures and drawings say what their colours mean. */
+export type Look = {
+  readonly view: View;
+  readonly limit: number;
+  readonly picture: Picture | null;
+  readonly morph: number;
+  readonly legend: boolean;
+};
+
+/** `draw` draws as the look says. Throws a sentence when the format needs a match and there is none. */
+export async function saved(saving: Saving, format: Format, look: Look, draw: Draw): Promise<Saved> {
+  const { view, limit, picture, morph } = look;
   const colours = theme();
+  const legend = () => {
+    const { match, bandwidth } = at(morph);
+    return legendOf(view, match && markedScale(view, match, bandwidth, limit, colours.dark), colours);
+  };
   const at: SceneAt = (part) => sceneAt(saving, part);
   const named = (blob: Blob, extension: string): Saved => ({ blob, name: fileName(saving, extension) });
   const text = (content: string, type: string) => named(new Blob([content], { type }), format);
   switch (format) {
     case "png":
-      return named(await png(at(morph), colours, draw), "png");
-    case "svg":
-      return text(svg(at(morph), colours), "image/svg+xml");
+      return named(await png(at(morph), colours, draw, look.legend ? legend() : null), "png");
+    case "svg": {
+      const { match, ...scene } = at(morph);
+      const words = look.legend ? legendSvg(legend(), colours) : "";
+      const drawing =
+        match && picture && view !== "grid"
+          ? await svgOf(view, { match, morph, bandwidth: scene.bandwidth, limit, picture }, colours, words)
+          : svg({ match, ...scene }, colours, words);
+      return text(drawing, "image/svg+xml");
+    }
     case "json":
       // A run that is still on its way is no result: its shapes and settings are enough to start it again.
       return text(

@@ -3,6 +3,7 @@
 import type { Frame } from "../view/canvas";
 import type { Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
+import { drawLegend, type Legend } from "./legend";
 
 /** Draws a scene in the view that is chosen. */
 export type Draw = (context: CanvasRenderingContext2D, frame: Frame, colours: Theme, scene: ResultScene) => void;
@@ -16,11 +17,13 @@ const VIEW_SIDE = 520;
 /** φ leaves the box a little; this much around it is in the picture. */
 export const MARGIN = 0.05;
 
-export async function png(scene: ResultScene, colours: Theme, draw: Draw): Promise<Blob> {
+export async function png(scene: ResultScene, colours: Theme, draw: Draw, legend: Legend | null): Promise<Blob> {
   const canvas = document.createElement("canvas");
   canvas.width = PRINT_SIDE;
   canvas.height = PRINT_SIDE;
-  paint(canvas, scene, colours, draw);
+  const context = paint(canvas, scene, colours, draw);
+  const unit = PRINT_SIDE / (1 + 2 * MARGIN) / 1000;
+  if (legend) drawLegend(context, legend, colours, unit, 1000 * MARGIN * unit, 1000 * MARGIN * unit);
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, "image/png"));
   if (!blob) throw new Error("The browser could not make the picture; it may be short of memory.");
   return blob;

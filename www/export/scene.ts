@@ -4,6 +4,7 @@ import type { Curves, Status } from "../protocol";
 import type { Chosen } from "../settings";
 import type { Shape } from "../shapes/geometry";
 import type { Match, ResultScene } from "../view/result";
+import { unreached } from "../view/unreached";
 
 export type Saving = {
   readonly reference: Shape;
@@ -20,7 +21,12 @@ export function sceneAt({ reference, template, bandwidth, match }: Saving, morph
     deformation: match.deformation,
     curves: match.curves,
   };
-  return { reference, template, match: shown, morph, bandwidth };
+  const { status } = match ?? {};
+  const missed =
+    shown && status?.finished && status.cover.max > 1
+      ? unreached(shown.curves.template, shown.curves.matched, shown.level)
+      : [];
+  return { reference, template, match: shown, morph, bandwidth, missed };
 }
 
 /** Says what is in the file, and on which grid. */

@@ -4,22 +4,23 @@
  */
 
 import type { Loop, Shape } from "../shapes/geometry";
-import { arcLengthParts, blended } from "../view/curve";
+import { arcLengthParts } from "../view/curve";
+import { movedGrid, movedLoops } from "../view/morph";
 import { onCycle, type Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
 
-const UNITS = 1000;
-const MARGIN = 50;
+export const UNITS = 1000;
+export const MARGIN = 50;
 
 /** Grid lines a direction, as on the screen. */
 const LINES = 32;
 
 const TICKS = 36;
 
-export function svg(scene: ResultScene, colours: Theme): string {
+export function svg(scene: ResultScene, colours: Theme, legend = ""): string {
   const { match, morph } = scene;
   const reference = match ? match.curves.reference : scene.reference;
-  const moved = match ? match.curves.matched.map((points, l) => blended(reference[l], points, morph)) : reference;
+  const moved = match ? movedLoops(match, morph) : reference;
   const parts = arcLengthParts(reference);
   const side = UNITS + 2 * MARGIN;
   const inked = (paint: string, width: number, more = "") =>
@@ -32,12 +33,18 @@ export function svg(scene: ResultScene, colours: Theme): string {
     `<path data-side="template" d="${closedPath(scene.template)}" fill="${colours.template}" fill-opacity="0.14" stroke="${colours.template}" stroke-opacity="0.4" stroke-width="${match ? 12 : 4}" stroke-linejoin="round"/>`,
     `<path id="grid" d="${gridPath(scene)}" ${inked(colours.grid, 1.8)}/>`,
     `<path data-side="reference" d="${closedPath(scene.reference)}" ${inked(colours.reference, band, ' stroke-opacity="0.09"')}/>`,
+    ...(scene.missed?.length
+      ? [
+          `<path id="missed" d="${scene.missed.map((line) => openPath(line)).join("")}" ${inked(colours.warning, 5, ' stroke-dasharray="12 8"')}/>`,
+        ]
+      : []),
     match ? `<g id="partners" stroke-opacity="0.75">${ticks(reference, moved, parts, colours)}</g>` : "",
     `<g id="arc-length" stroke-linecap="round" stroke-linejoin="round">`,
     ...reference.map((loop, l) => coloured(loop, parts[l], colours, match ? 3 : 5)),
     ...(match ? moved.map((loop, l) => coloured(loop, parts[l], colours, 6)) : []),
     "</g>",
     match ? `<path data-side="matched" d="${closedPath(moved)}" ${inked(colours.ink, 0.2)}/>` : "",
+    legend,
     "</svg>",
     "",
   ]
@@ -49,11 +56,11 @@ function round(value: number): number {
   return Math.round(1000 * value) / 1000;
 }
 
-function place(x: number, y: number): string {
+export function place(x: number, y: number): string {
   return `${round(UNITS * x)} ${round(UNITS * (1 - y))}`;
 }
 
-function closedPath(shape: Shape): string {
+export function closedPath(shape: Shape): string {
   return shape
     .map(
       (loop) => `M${Array.from({ length: loop.length / 2 }, (_, i) => place(loop[2 * i], loop[2 * i + 1])).join("L")}Z`,
@@ -61,17 +68,18 @@ function closedPath(shape: Shape): string {
     .join("");
 }
 
+function openPath(line: Loop): string {
+  return `M${Array.from({ length: line.length / 2 }, (_, i) => place(line[2 * i], line[2 * i + 1])).join("L")}`;
+}
+
 function gridPath({ match, morph }: ResultScene): string {
   const cells = match ? 2 ** match.level : LINES;
   const stride = Math.max(1, cells / LINES);
+  const deformation = match && movedGrid(match, morph).deformation;
   const at = (i: number, j: number) => {
-    const [x, y] = [i / cells, j / cells];
-    if (!match) return place(x, y);
+    if (!deformation) return place(i / cells, j / cells);
     const node = 2 * (j * (cells + 1) + i);
-    return place(
-      (1 - morph) * x + morph * match.deformation[node],
-      (1 - morph) * y + morph * match.deformation[node + 1],
-    );
+    return place(deformation[node], deformation[node + 1]);
   };
   const steps = Array.from({ length: cells + 1 }, (_, k) => k);
   let path = "";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { arcLengthParts, blended } from "./curve";
+import { arcLengthParts } from "./curve";
 
 const SQUARE = Float64Array.of(0.8, 0.2, 0.8, 0.4, 0.6, 0.4, 0.6, 0.2);
 
@@ -25,12 +25,4 @@ test("loops follow one another, longer ones first, and share the whole by length
   const [a, b] = arcLengthParts([small, SQUARE]);
   expect(b[0]).toBe(0);
   expect(a[0]).toBeCloseTo(0.75, 12);
-});
-
-test("the ends of a blend are its two arrays", () => {
-  const from = Float64Array.of(0, 1);
-  const to = Float64Array.of(1, 3);
-  expect([...blended(from, to, 0)]).toEqual([0, 1]);
-  expect(blended(from, to, 1)).toBe(to);
-  expect([...blended(from, to, 0.25)]).toEqual([0.25, 1.5]);
 });

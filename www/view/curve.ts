@@ -51,14 +51,6 @@ function edge(loop: Float64Array, i: number): number {
   return Math.hypot(loop[2 * j] - loop[2 * i], loop[2 * j + 1] - loop[2 * i + 1]);
 }
 
-/** The points (1 − s) from + s to. */
-export function blended(from: Float64Array, to: Float64Array, s: number): Float64Array {
-  if (s === 1) return to;
-  const out = new Float64Array(from.length);
-  for (let i = 0; i < out.length; i += 1) out[i] = (1 - s) * from[i] + s * to[i];
-  return out;
-}
-
 /**
  * Strokes the loops in the colours of their points. Width in device pixels; the context's opacity holds for all.
  *

@@ -6,8 +6,8 @@ import {
   type GridMap,
   logDeterminants,
   mapped,
+  minDeterminant,
   mismatches,
-  partly,
   thinned,
   valueAt,
 } from "./field";
@@ -39,9 +39,14 @@ test("an affine map is met everywhere, and its determinant is its own", () => {
   for (const value of logDeterminants(SHEARED)) expect(value).toBeCloseTo(Math.log2(6), 8);
 });
 
-test("no part of a deformation is the identity, and thinning keeps what nodes it keeps", () => {
-  const still = partly(SHEARED, 0);
-  expect(mapped(still, 0.3, 0.6)).toEqual([expect.closeTo(0.3, 12), expect.closeTo(0.6, 12)]);
+test("the least determinant is that of an affine map, and negative where one node is turned over", () => {
+  expect(minDeterminant(SHEARED)).toBeCloseTo(6, 10);
+  const turned = { ...SHEARED, deformation: SHEARED.deformation.slice() };
+  turned.deformation[2 * 40] += 1;
+  expect(minDeterminant(turned)).toBeLessThan(0);
+});
+
+test("thinning keeps what nodes it keeps", () => {
   const coarse = thinned(SHEARED, 4);
   expect(coarse.cells).toBe(4);
   expect(mapped(coarse, 0.3, 0.6)).toEqual(mapped(SHEARED, 0.3, 0.6).map((value) => expect.closeTo(value, 12)));

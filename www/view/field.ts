@@ -22,19 +22,6 @@ export function thinned({ cells, deformation }: GridMap, most: number): GridMap 
   return { cells: most, deformation: out };
 }
 
-/** (1 − s) x + s φ(x). */
-export function partly({ cells, deformation }: GridMap, s: number): GridMap {
-  if (s === 1) return { cells, deformation };
-  const out = new Float64Array(deformation.length);
-  for (let node = 0; node < deformation.length / 2; node += 1) {
-    const i = node % (cells + 1);
-    const j = (node - i) / (cells + 1);
-    out[2 * node] = ((1 - s) * i) / cells + s * deformation[2 * node];
-    out[2 * node + 1] = ((1 - s) * j) / cells + s * deformation[2 * node + 1];
-  }
-  return { cells, deformation: out };
-}
-
 /** The cell of a point of the box, and the point's place in it, each 0 to 1. */
 function locate(cells: number, x: number, y: number) {
   const i = Math.min(cells - 1, Math.max(0, Math.floor(x * cells)));
@@ -69,6 +56,29 @@ export function determinantAt({ cells, deformation: d }: GridMap, x: number, y: 
   const across = (k: number) => (1 - v) * (d[a + 2 + k] - d[a + k]) + v * (d[b + 2 + k] - d[b + k]);
   const up = (k: number) => (1 - u) * (d[b + k] - d[a + k]) + u * (d[b + 2 + k] - d[a + 2 + k]);
   return cells * cells * (across(0) * up(1) - across(1) * up(0));
+}
+
+/** The least det Dφ over all corners of cells, where a bilinear map has it. */
+export function minDeterminant({ cells, deformation: d }: GridMap): number {
+  let least = Number.POSITIVE_INFINITY;
+  const row = 2 * (cells + 1);
+  for (let j = 0; j < cells; j += 1) {
+    for (let i = 0; i < cells; i += 1) {
+      const a = j * row + 2 * i;
+      // Each corner's two edges: along x, then along y.
+      for (const [x, y] of [
+        [a, a],
+        [a, a + 2],
+        [a + row, a],
+        [a + row, a + 2],
+      ]) {
+        const across = [d[x + 2] - d[x], d[x + 3] - d[x + 1]];
+        const up = [d[y + row] - d[y], d[y + row + 1] - d[y + 1]];
+        least = Math.min(least, across[0] * up[1] - across[1] * up[0]);
+      }
+    }
+  }
+  return cells * cells * least;
 }
 
 /** log₂ det Dφ at the nodes: the mean over the cells that meet there. */

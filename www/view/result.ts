@@ -4,7 +4,8 @@
  */
 
 import { type Frame, pixelX, pixelY, trace } from "./canvas";
-import { arcLengthParts, blended, type ColouredLoop, strokeColoured } from "./curve";
+import { arcLengthParts, type ColouredLoop, strokeColoured } from "./curve";
+import { movedGrid, movedLoops } from "./morph";
 import { onCycle, type Theme } from "./palette";
 
 export type Match = {
@@ -25,10 +26,12 @@ export type ResultScene = {
   readonly template: readonly Float64Array[];
   /** Null before the first frame of a run: the identity is shown. */
   readonly match: Match | null;
-  /** 0 shows the identity, 1 the match, between them (1 − s) x + s φ. */
+  /** 0 shows the identity, 1 the match; between them see morph.ts. */
   readonly morph: number;
   /** Half width of the band around the reference. */
   readonly bandwidth: number;
+  /** Stretches of the target that the match has not come to, open polylines. */
+  readonly missed?: readonly Float64Array[];
 };
 
 /** Grid lines a direction; finer grids show every second, fourth, … line. */
@@ -51,7 +54,7 @@ export function drawResult(context: CanvasRenderingContext2D, frame: Frame, colo
   context.fill(match ? "evenodd" : "nonzero");
   context.globalAlpha = 1;
 
-  drawGrid(context, frame, colours, match ? match.level : 5, match ? match.deformation : null, morph);
+  drawGrid(context, frame, colours, match ? match.level : 5, match && movedGrid(match, morph).deformation);
   drawBand(context, frame, colours, reference, scene.bandwidth);
 
   context.globalAlpha = match ? 0.4 : 0.7;
@@ -63,17 +66,35 @@ export function drawResult(context: CanvasRenderingContext2D, frame: Frame, colo
   context.stroke();
   context.globalAlpha = 1;
 
+  drawMissed(context, frame, colours, scene.missed ?? []);
+
   const parts = arcLengthParts(reference);
   if (!match) {
     strokeColoured(context, frame, zip(reference, parts), colours.cycle, 2.5 * ratio);
     return;
   }
+  const moved = movedLoops(match, morph);
   context.globalAlpha = 0.75;
-  drawTicks(context, frame, colours, match, parts, morph);
+  drawTicks(context, frame, colours, match, parts, moved);
   strokeColoured(context, frame, zip(reference, parts), colours.cycle, 1.5 * ratio);
   context.globalAlpha = 1;
-  const moved = match.curves.matched.map((points, i) => blended(match.curves.reference[i], points, morph));
   strokeColoured(context, frame, zip(moved, parts), colours.cycle, 3.25 * ratio);
+}
+
+/** Dashed, so that it is told from what is reached without colours too. */
+function drawMissed(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  colours: Theme,
+  missed: readonly Float64Array[],
+): void {
+  context.beginPath();
+  for (const line of missed) trace(context, frame, line, false);
+  context.strokeStyle = colours.warning;
+  context.lineWidth = 2.5 * frame.ratio;
+  context.setLineDash([6 * frame.ratio, 4 * frame.ratio]);
+  context.stroke();
+  context.setLineDash([]);
 }
 
 export function zip(loops: readonly Float64Array[], parts: readonly Float64Array[]): ColouredLoop[] {
@@ -86,12 +107,10 @@ function drawGrid(
   colours: Theme,
   level: number,
   deformation: Float64Array | null,
-  morph: number,
 ): void {
   const cells = 2 ** level;
   const side = cells + 1;
   const stride = Math.max(1, cells / LINES);
-  const s = deformation ? morph : 0;
   context.strokeStyle = colours.grid;
   context.lineJoin = "round";
   for (const border of [false, true]) {
@@ -103,8 +122,8 @@ function drawGrid(
           const i = along === 0 ? k : line;
           const j = along === 0 ? line : k;
           const node = 2 * (j * side + i);
-          const x = (1 - s) * (i / cells) + (deformation ? s * deformation[node] : 0);
-          const y = (1 - s) * (j / cells) + (deformation ? s * deformation[node + 1] : 0);
+          const x = deformation ? deformation[node] : i / cells;
+          const y = deformation ? deformation[node + 1] : j / cells;
           if (k === 0) context.moveTo(pixelX(frame, x), pixelY(frame, y));
           else context.lineTo(pixelX(frame, x), pixelY(frame, y));
         }
@@ -138,11 +157,11 @@ function drawTicks(
   colours: Theme,
   match: Match,
   parts: readonly Float64Array[],
-  morph: number,
+  moved: readonly Float64Array[],
 ): void {
   context.lineWidth = frame.ratio;
   match.curves.reference.forEach((from, l) => {
-    const to = match.curves.matched[l];
+    const to = moved[l];
     const count = parts[l].length;
     for (let i = 0; i < count; i += 1) {
       // A tick stands where the arc length passes a multiple of 1 / TICKS, whichever way the points are listed.
@@ -151,10 +170,7 @@ function drawTicks(
       context.beginPath();
       context.strokeStyle = onCycle(colours.cycle, parts[l][i]);
       context.moveTo(pixelX(frame, from[2 * i]), pixelY(frame, from[2 * i + 1]));
-      context.lineTo(
-        pixelX(frame, from[2 * i] + morph * (to[2 * i] - from[2 * i])),
-        pixelY(frame, from[2 * i + 1] + morph * (to[2 * i + 1] - from[2 * i + 1])),
-      );
+      context.lineTo(pixelX(frame, to[2 * i]), pixelY(frame, to[2 * i + 1]));
       context.stroke();
     }
   });

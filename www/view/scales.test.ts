@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { amounts, type Colour, DIVERGING, factors, quantile, roundUp, SEQUENTIAL, signed } from "./scales";
+import { amounts, type Colour, clipped, DIVERGING, factors, quantile, roundUp, SEQUENTIAL, signed } from "./scales";
 
 /** OKLab lightness of sRGB bytes: the inverse matrices of palette.ts. */
 function lightness([red, green, blue]: Colour): number {
@@ -47,4 +47,12 @@ test("scales end at round numbers", () => {
   expect([0.3, 1, 1.1, 7, 0.05, 0].map(roundUp)).toEqual([0.5, 1, 2, 10, 0.05, 1]);
   expect(quantile([3, Number.NaN, 1, 2], 0.5)).toBe(2);
   expect(quantile([], 0.5)).toBe(0);
+});
+
+test("an end is marked where a value lies beyond it, and only there", () => {
+  const texts = (least: number, most: number) =>
+    clipped(signed("", "", false, 4), least, most).ticks.map(({ text }) => text);
+  expect(texts(0, 1)).toEqual(["−4", "0", "4"]);
+  expect(texts(-0.2, 1)).toEqual(["≤ −4", "0", "4"]);
+  expect(texts(0.4, 3)).toEqual(["−4", "0", "≥ 4"]);
 });

@@ -4,6 +4,7 @@
  * their lightness on the way, so that they survive a grey print.
  */
 
+import { plain } from "../words/numbers";
 import { type Rgb, rgbFromOklab } from "./palette";
 
 const STEPS = 256;
@@ -67,7 +68,7 @@ export function amounts(title: string, unit: string, most: number): Scale {
     unit,
     colours: SEQUENTIAL,
     part: (value) => value / most,
-    ticks: [0, 0.5, 1].map((part) => ({ part, text: plain(part * most) })),
+    ticks: [0, 0.5, 1].map((part) => ({ part, text: plain(part * most, 2) })),
   };
 }
 
@@ -78,7 +79,7 @@ export function factors(title: string, dark: boolean, doublings: number): Scale 
     unit: "×",
     colours: dark ? DIVERGING.dark : DIVERGING.light,
     part: (value) => (Math.log2(value) / doublings + 1) / 2,
-    ticks: [-1, 0, 1].map((end) => ({ part: (end + 1) / 2, text: plain(2 ** (end * doublings)) })),
+    ticks: [-1, 0, 1].map((end) => ({ part: (end + 1) / 2, text: plain(2 ** (end * doublings), 2) })),
   };
 }
 
@@ -89,8 +90,20 @@ export function signed(title: string, unit: string, dark: boolean, most: number)
     unit,
     colours: dark ? DIVERGING.dark : DIVERGING.light,
     part: (value) => (value / most + 1) / 2,
-    ticks: [-1, 0, 1].map((end) => ({ part: (end + 1) / 2, text: plain(end * most) })),
+    ticks: [-1, 0, 1].map((end) => ({ part: (end + 1) / 2, text: plain(end * most, 2) })),
   };
+}
+
+/** Parts of the scale that rounding puts beyond its end. */
+const HAIR = 1e-6;
+
+/** The scale with “≤” and “≥” at its ends where there are values beyond: `least` and `most` are places on it. */
+export function clipped(scale: Scale, least: number, most: number): Scale {
+  const ticks = scale.ticks.map(({ part, text }) => {
+    if (part === 0 && least < -HAIR) return { part, text: `≤ ${text}` };
+    return part === 1 && most > 1 + HAIR ? { part, text: `≥ ${text}` } : { part, text };
+  });
+  return { ...scale, ticks };
 }
 
 /** 1, 2 or 5 times a power of ten, at least the value. */
@@ -106,8 +119,4 @@ export function roundUp(value: number): number {
 export function quantile(values: ArrayLike<number>, share: number): number {
   const sorted = Float64Array.from(Array.from(values).filter(Number.isFinite)).sort();
   return sorted.length === 0 ? 0 : sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
-}
-
-function plain(value: number): string {
-  return String(Number(value.toPrecision(2))).replace("-", "−");
 }

@@ -1,0 +1,122 @@
+import { readFileSync } from "node:fs";
+import { AxeBuilder } from "@axe-core/playwright";
+import { expect, type Page, test } from "@playwright/test";
+import { button, finished, picture, result, watch } from "./handles";
+
+const EASY = "./#v=1&preset=ellipse&finest=6";
+
+async function opened(page: Page): Promise<void> {
+  await page.goto(EASY);
+  await finished(page);
+}
+
+test("a term is left out by a press at the result, and taken in again with its own weight", async ({ page }) => {
+  await page.goto(`${EASY}&bending=0.2`);
+  await finished(page);
+  const bending = page.getByRole("switch", { name: "Bending" });
+  await expect(bending).toBeChecked();
+  await bending.click();
+  await expect(bending).not.toBeChecked();
+  await expect.poll(() => page.url()).toContain("bending=0&");
+  await finished(page);
+  await bending.click();
+  await expect.poll(() => page.url()).toContain("bending=0.2");
+  await finished(page);
+  await expect(result(page)).toHaveAccessibleName(/matched, at most/);
+});
+
+test("every iteration can be looked at again, and the end is what is left when that is over", async ({ page }) => {
+  const seen = watch(page);
+  await opened(page);
+  const end = await picture(result(page));
+  await page.getByText("Energies over iterations").click();
+  const iteration = page.getByRole("slider", { name: "Iteration" });
+  await iteration.fill("0");
+  await expect(page.getByText(/^Iteration 1 of \d+, on the \d+ × \d+ grid$/)).toBeVisible();
+  await expect.poll(() => picture(result(page))).not.toBe(end);
+  await iteration.fill((await iteration.getAttribute("max")) ?? "");
+  await expect.poll(() => picture(result(page))).toBe(end);
+  await iteration.fill("1");
+  await page.getByText("Energies over iterations").click();
+  await expect.poll(() => picture(result(page))).toBe(end);
+  expect(seen.errors).toEqual([]);
+});
+
+test("runs are kept; one is pinned beside the newest, titled by what differs, and shown again", async ({ page }) => {
+  await opened(page);
+  await page.getByRole("switch", { name: "Bending" }).click();
+  await expect.poll(() => page.url()).toContain("bending=0");
+  await finished(page);
+  await page.getByText("Runs so far", { exact: true }).click();
+  await expect(page.getByRole("list", { name: "Runs so far, newest first" }).getByRole("listitem")).toHaveCount(2);
+  await page.getByRole("checkbox", { name: "Compare with it: Run 1" }).check();
+  await expect(page.getByText("Pinned: Bending 0.03")).toBeVisible();
+  await expect(page.getByText("Now: Bending 0", { exact: true })).toBeVisible();
+  await expect(page.getByRole("row", { name: "of bending" }).getByRole("cell")).toHaveCount(3);
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  await button(page, "Show again: Run 1, Finest grid 65 × 65").click();
+  await expect.poll(() => page.url()).not.toContain("bending");
+  await expect(result(page)).toHaveAccessibleName(/matched, at most/);
+});
+
+async function drawing(page: Page, legend = false): Promise<string> {
+  await page.getByText("Save", { exact: true }).click();
+  await page.getByLabel("With a legend").setChecked(legend);
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Drawing (SVG)").click()]);
+  return readFileSync(await download.path(), "utf8");
+}
+
+test("a drawing follows the view, and says what its colours mean when asked to", async ({ page }) => {
+  await opened(page);
+  const grid = await drawing(page);
+  expect(grid).toContain('<path id="grid"');
+  await page.getByLabel("View", { exact: true }).selectOption("Stretch");
+  await expect(page.locator(".legend")).toBeVisible();
+  const stretch = await drawing(page, true);
+  expect(stretch).toContain("<title>Stretch</title>");
+  expect(stretch).toContain('<g class="along"');
+  expect(stretch).toContain("Length after / before");
+  await page.getByLabel("View", { exact: true }).selectOption("Area ratio");
+  await expect(page.locator(".legend")).toContainText("Area after / before");
+  const area = await drawing(page);
+  expect(area).toContain('href="data:image/png;base64,');
+  expect(area).not.toContain('id="legend"');
+  for (const text of [grid, stretch, area]) {
+    const problem = await page.evaluate(
+      (content) => new DOMParser().parseFromString(content, "image/svg+xml").querySelector("parsererror")?.textContent,
+      text,
+    );
+    expect(problem).toBeUndefined();
+    for (const side of ["reference", "template", "matched"]) expect(text).toContain(`data-side="${side}"`);
+  }
+});
+
+test("a presentation shows the result alone in type of 20 px and more, and keys do the rest", async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await opened(page);
+  await button(page, "Present").click();
+  await expect(page.getByText("Esc leaves")).toBeVisible();
+  await expect(page.getByRole("application")).toHaveCount(0);
+  await expect(result(page)).toBeInViewport({ ratio: 1 });
+  const smallest = await page.evaluate(() => {
+    const texts = [...document.querySelectorAll<HTMLElement>("#app *")].filter(
+      (element) =>
+        element.checkVisibility() &&
+        getComputedStyle(element).clipPath === "none" &&
+        [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim()),
+    );
+    return Math.min(...texts.map((element) => Number.parseFloat(getComputedStyle(element).fontSize)));
+  });
+  expect(smallest).toBeGreaterThanOrEqual(20);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1024);
+  await page.keyboard.press("ArrowLeft");
+  await expect(page.getByRole("slider", { name: "Morph" })).toHaveValue("95");
+  await page.keyboard.press("v");
+  await expect(page.getByLabel("View", { exact: true })).toHaveValue("image");
+  await page.keyboard.press("Shift+V");
+  await expect(page.getByLabel("View", { exact: true })).toHaveValue("grid");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  await page.keyboard.press("Escape");
+  await expect(button(page, "Present")).toBeVisible();
+  await expect(page.getByRole("application", { name: "Reference shape" })).toBeVisible();
+});

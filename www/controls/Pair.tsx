@@ -1,0 +1,138 @@
+import { type ReadonlySignal, useComputed } from "@preact/signals";
+import { choiceWords } from "../runs";
+import type { Session } from "../session";
+import { bandwidth } from "../settings";
+import type { ResultScene } from "../view/result";
+import { decimals } from "../words/numbers";
+import { adopt } from "./adopt";
+import type { Outcome } from "./compared";
+import { Legend } from "./Legend";
+import { MatchCanvas } from "./MatchCanvas";
+import style from "./pair.css?inline";
+import { Readout } from "./Readout";
+import { lazy, view } from "./viewing";
+
+adopt(style);
+
+type Outcomes = ReadonlySignal<readonly [Outcome | null, Outcome | null]>;
+type Names = readonly [string, string];
+type PairProperties = { readonly session: Session; readonly outcomes: Outcomes; readonly names: Names };
+
+/** Two matches side by side under one view, one morph and one scale, titled by what differs, with their numbers. */
+export function Pair({ session, outcomes, names }: PairProperties) {
+  const [a, b] = outcomes.value;
+  if (!a && !b) return null;
+  return (
+    <>
+      <div class="pair">
+        <Panel session={session} outcomes={outcomes} names={names} index={0} />
+        <Panel session={session} outcomes={outcomes} names={names} index={1} />
+      </div>
+      {a && b && <Differences a={a} b={b} names={names} />}
+    </>
+  );
+}
+
+/** Of the two, what the one has chosen otherwise. */
+function titleOf(outcome: Outcome | null, other: Outcome | null): string {
+  return outcome && other ? choiceWords(outcome.settings, other.settings).join(", ") : "";
+}
+
+function Panel({ session, outcomes, names, index }: PairProperties & { readonly index: 0 | 1 }) {
+  const match = useComputed(() => {
+    const outcome = outcomes.value[index];
+    return outcome && matchOf(outcome);
+  });
+  const scene = useComputed<ResultScene>(() => {
+    const outcome = outcomes.value[index];
+    return {
+      reference: outcome?.reference ?? [],
+      template: outcome?.template ?? [],
+      match: match.value,
+      morph: session.morph.value,
+      bandwidth: bandwidth(outcome?.settings ?? {}),
+    };
+  });
+  // One scale for both, or their colours could not be compared.
+  const limit = useComputed(() =>
+    Math.max(
+      ...outcomes.value.map(
+        (outcome) =>
+          (outcome && lazy.value?.views.limitOf(view.value, matchOf(outcome), bandwidth(outcome.settings))) || 0,
+      ),
+      Number.MIN_VALUE,
+    ),
+  );
+  const title = titleOf(outcomes.value[index], outcomes.value[1 - index]);
+  const label = `Result of ${names[index]}`;
+  return (
+    <figure class="side">
+      <figcaption>
+        {names[index]}
+        {title && `: ${title}`}
+      </figcaption>
+      <div class="surface">
+        <MatchCanvas label={label} scene={scene} limit={limit} />
+        <Legend session={session} match={match} limit={limit} bandwidth={scene.value.bandwidth} />
+        <Readout match={match} name={`Numbers at the point, ${names[index]}`} />
+      </div>
+    </figure>
+  );
+}
+
+function matchOf({ frame: { status, deformation, curves } }: Outcome) {
+  return { level: status.level, deformation, curves };
+}
+
+function Differences({ a, b, names }: { a: Outcome; b: Outcome; names: Names }) {
+  return (
+    <table class="differences">
+      <caption class="unseen">
+        Differences between {names[0]} and {names[1]}
+      </caption>
+      <thead>
+        <tr>
+          <td />
+          <th scope="col">{names[0]}</th>
+          <th scope="col">{names[1]}</th>
+          <th scope="col">
+            {names[1]} − {names[0]}
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {rowsOf(a).map(([name, first], i) => {
+          const second = rowsOf(b)[i][1];
+          return (
+            <tr key={name}>
+              <th scope="row">{name}</th>
+              <td>{decimals(first)}</td>
+              <td>{decimals(second)}</td>
+              <td>{decimals(second - first)}</td>
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
+}
+
+function rowsOf({ frame: { status }, millis }: Outcome): readonly (readonly [string, number])[] {
+  const { energies, mismatch, cover, stretch } = status;
+  return [
+    ["Energy", energies.total],
+    ["of stretching", energies.membrane],
+    ["of bending", energies.bending],
+    ["of the mismatch", energies.mismatch],
+    ["of the volume", energies.volume],
+    ["Largest distance, cells", mismatch.max],
+    ["Mean distance, cells", mismatch.mean],
+    ["Target missed by, cells", cover.max],
+    ["Length ratio", status.measure],
+    ["Mean stretch", stretch.mean],
+    ["Deviation of the stretch", stretch.deviation],
+    ["Least area ratio", status.leastDeterminant],
+    ["Evaluations", status.evaluations],
+    ...(millis === undefined ? [] : [["Time, ms", millis] as const]),
+  ];
+}

@@ -1,0 +1,50 @@
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { Session } from "../session";
+import { en } from "../words/en";
+import { ResultPanel } from "./ResultPanel";
+import { Progress } from "./StatusPanel";
+
+/** Where the parts of the page lie under each other; the same width as in layout.css. */
+const NARROW = "(max-width: 900px)";
+
+/**
+ * The place of the result. Where it has been scrolled away above, as on a phone whose settings are open, a small one
+ * stays in the corner, and a tap on it leads back.
+ */
+export function Stage({ session }: { session: Session }) {
+  const place = useRef<HTMLDivElement>(null);
+  const pinned = useSignal(false);
+  useEffect(() => {
+    if (!place.current) return;
+    const narrow = matchMedia(NARROW);
+    const watcher = new IntersectionObserver(
+      ([{ intersectionRatio, boundingClientRect }]) => {
+        pinned.value = narrow.matches && intersectionRatio < 0.3 && boundingClientRect.top < 0;
+      },
+      { threshold: [0, 0.3] },
+    );
+    watcher.observe(place.current);
+    return () => watcher.disconnect();
+  }, [pinned]);
+  return (
+    <div ref={place} class="stage">
+      <div class={pinned.value ? "surface pinned" : "surface"}>
+        <Progress session={session} />
+        <ResultPanel session={session} />
+        {pinned.value && <button type="button" class="back" aria-label={en.result.back} onClick={reveal} />}
+      </div>
+    </div>
+  );
+}
+
+/** Brings the result into view, unless most of it is. */
+export function reveal(): void {
+  const outcome = document.querySelector(".outcome");
+  const box = outcome?.querySelector(".stage")?.getBoundingClientRect();
+  if (!outcome || !box) return;
+  const seen = Math.min(innerHeight, box.bottom) - Math.max(0, box.top);
+  if (seen > 0.8 * box.height) return;
+  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  outcome.scrollIntoView({ block: "start", behavior: calm ? "auto" : "smooth" });
+}

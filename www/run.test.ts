@@ -1,0 +1,155 @@
+import { signal } from "@preact/signals";
+import { beforeAll, expect, test, vi } from "vitest";
+import type { FrameReply, Reply, Request, Status } from "./protocol";
+import { Run, type Shapes } from "./run";
+import type { Chosen } from "./settings";
+
+beforeAll(() => {
+  vi.stubGlobal("requestAnimationFrame", () => 1);
+  vi.stubGlobal("cancelAnimationFrame", () => {});
+});
+
+/** A worker that notes what it is told and answers when it is told to. */
+class Puppet {
+  readonly told: Request[] = [];
+  onmessage: ((event: { data: Reply }) => void) | null = null;
+  onerror = null;
+
+  postMessage(request: Request): void {
+    this.told.push(request);
+  }
+
+  terminate(): void {}
+
+  /** A frame of the run that it was last told of. */
+  frame(finished: boolean, mismatch = 0.1): void {
+    const last = this.told.findLast((request) => request.kind === "start" || request.kind === "update");
+    if (last?.kind !== "start" && last?.kind !== "update") throw new Error("no run has been asked for");
+    const status = { finished, level: 5, iteration: 1, mismatch: { max: mismatch, mean: 0 } } as Status;
+    const curves = { reference: [], template: [], matched: [] };
+    const data: FrameReply = {
+      kind: "frame",
+      run: last.run,
+      status,
+      deformation: new Float64Array(2),
+      curves,
+      trail: [],
+      rest: null,
+    };
+    this.onmessage?.({ data });
+  }
+
+  get starts(): number {
+    return this.told.filter(({ kind }) => kind === "start").length;
+  }
+}
+
+const SQUARE = [Float64Array.of(0.4, 0.4, 0.6, 0.4, 0.6, 0.6, 0.4, 0.6)];
+const OTHER = [Float64Array.of(0.3, 0.4, 0.6, 0.4, 0.6, 0.6, 0.4, 0.6)];
+
+function stage() {
+  const puppet = new Puppet();
+  const shapes = signal<Shapes>({ reference: SQUARE, template: SQUARE });
+  const settings = signal<Chosen>({ bending: 0.5 });
+  const run = new Run(
+    { module: () => Promise.resolve({} as WebAssembly.Module), spawn: () => puppet as unknown as Worker },
+    { shapes, settings, followsHand: () => false, say: () => {} },
+  );
+  return { puppet, shapes, settings, run };
+}
+
+test("a result carries the shapes and settings that it was computed from", () => {
+  const { puppet, shapes, settings, run } = stage();
+  run.start();
+  puppet.frame(true);
+  settings.value = { bending: 0 };
+  expect(run.result.value).toMatchObject({ ...shapes.value, settings: { bending: 0.5 } });
+});
+
+test("a setting that differs makes the result stale, and one set back makes it fresh again", () => {
+  const { puppet, settings, run } = stage();
+  run.start();
+  puppet.frame(true);
+  expect([run.stale.value, run.upToDate]).toEqual([false, true]);
+  settings.value = { bending: 0 };
+  expect([run.stale.value, run.upToDate]).toEqual([true, false]);
+  settings.value = { bending: 0.5 };
+  expect([run.stale.value, run.upToDate]).toEqual([false, true]);
+});
+
+test("pins are settings like others, and none are as good as an empty list", () => {
+  const { puppet, settings, run } = stage();
+  run.start();
+  puppet.frame(true);
+  settings.value = { bending: 0.5, pins: new Float64Array(0) };
+  expect(run.stale.value).toBe(false);
+  settings.value = { bending: 0.5, pins: Float64Array.of(0.5, 0.5, 0.6, 0.5) };
+  expect(run.stale.value).toBe(true);
+});
+
+test("a shape that differs takes the result away, and undone it is there again", () => {
+  const { puppet, shapes, run } = stage();
+  const before = shapes.value;
+  run.start();
+  puppet.frame(true);
+  shapes.value = { ...before, template: OTHER };
+  expect(run.result.value).toBeNull();
+  shapes.value = { ...before };
+  expect(run.result.value).not.toBeNull();
+});
+
+test("until a new run has a frame, the old picture keeps its own inputs", () => {
+  const { puppet, shapes, settings, run } = stage();
+  run.start();
+  puppet.frame(true);
+  shapes.value = { reference: OTHER, template: OTHER };
+  settings.value = { bending: 2 };
+  run.start();
+  expect(run.result.value).toMatchObject({ reference: SQUARE, settings: { bending: 0.5 } });
+  puppet.frame(false);
+  expect(run.result.value).toMatchObject({ reference: OTHER, settings: { bending: 2 } });
+});
+
+test("what follows the hand on a coarse grid is not taken for a result of the finest", () => {
+  const { puppet, settings, run } = stage();
+  settings.value = { finest: 7 };
+  run.start();
+  puppet.frame(true);
+  run.settle();
+  expect(run.phase.value).toBe("refining");
+  puppet.frame(true);
+  expect([run.phase.value, run.stale.value]).toEqual(["matched", false]);
+});
+
+test("a first look is at a quick grid, and goes on by itself to the finest", () => {
+  const { puppet, settings, run } = stage();
+  settings.value = { finest: 9 };
+  run.glance();
+  expect(puppet.told.at(-1)).toMatchObject({ kind: "start", settings: { finest: 7 } });
+  puppet.frame(true);
+  expect(run.phase.value).toBe("refining");
+  expect(puppet.told.at(-1)).toMatchObject({ kind: "update", settings: { finest: 9 } });
+  puppet.frame(true);
+  expect([run.phase.value, run.stale.value]).toEqual(["matched", false]);
+});
+
+test("a first look at a grid that is quick is all there is to do", () => {
+  const { puppet, run } = stage();
+  run.glance();
+  puppet.frame(true);
+  expect([run.phase.value, run.stale.value, puppet.starts]).toEqual(["matched", false, 1]);
+});
+
+test("a run that was paused while a setting changed begins anew", () => {
+  const { puppet, settings, run } = stage();
+  run.start();
+  puppet.frame(false);
+  run.pause();
+  run.resume();
+  expect(puppet.starts).toBe(1);
+  run.pause();
+  settings.value = { bending: 0 };
+  expect(run.stale.value).toBe(true);
+  run.resume();
+  expect(puppet.starts).toBe(2);
+});

@@ -1,0 +1,58 @@
+/** The words of what is fetched later, in English. */
+
+import type { View } from "../view/names";
+import { en } from "./en";
+
+export const later = {
+  settings: {
+    plain: "Settings that most people want",
+    experts: "For those who know the paper",
+    groups: { Energies: "Energies", Grid: "Grid", Method: "Method" },
+    automatic: (value: string) => `Now: ${value} box sides.`,
+  },
+
+  runs: {
+    none: "Press Match: each run is kept here, to be shown again and to be compared.",
+    title: "Runs so far, newest first",
+    defaults: "Default settings",
+    show: (title: string) => `Show again: ${title}`,
+    pin: "Compare with it",
+    pinned: "Pinned",
+    now: "Now",
+    run: (id: number) => `Run ${id}`,
+  },
+
+  past: {
+    name: "Iteration",
+    at: (iteration: number, all: number, grid: string) => `Iteration ${iteration} of ${all}, on the ${grid} grid`,
+    end: "Back to the end",
+  },
+
+  legend: { reference: "Reference", matched: "Reference, moved", template: "Target" },
+
+  present: { keys: "Space plays, ← → step, v next view, Esc leaves" },
+};
+
+/** What the colours, lines and ticks of each view mean. */
+export const captions: Readonly<Record<View, string>> = {
+  grid: en.gridCaption,
+  image:
+    "Each point of the picture is carried to where the deformation takes it. Orange is the target; the black line is the reference, carried along.",
+  pullback:
+    "Each point shows what the picture has where the deformation takes it. Blue is the reference: on it lies what the picture has along the target.",
+  stretch:
+    "Length after over length before, along the matched curve: blue is shortened, orange lengthened, colourless kept. Thin grey is where the reference was, pale orange the target; the bars show how much of the curve has which stretch.",
+  determinant:
+    "Area after over area before, det Dφ: blue shrinks, orange grows, colourless is kept. The orange line is the target, the black one the reference, carried along.",
+  curvature:
+    "The thin curve has the colours of the reference’s curvature, the thick one those of the target’s at the partners: orange bulges out, blue in, colourless is straight.",
+  band: "How much each point counts as shell, carried along: light counts fully, dark not at all. Stretching, bending and mismatch act only where it is light.",
+  mismatch:
+    "How far the distances to the two curves disagree, in cells of the grid: dark agrees, light does not. Beyond the band it does not count, and nothing is painted.",
+  stretching:
+    "Along the matched curve, what stretching or shortening it costs at each place, before its weight: dark is nothing, light the most. Thin grey is where the reference was, pale orange the target.",
+  bending:
+    "Along the matched curve, what the change of its curvature costs at each place, before its weight: dark is nothing, light the most. Thin grey is where the reference was, pale orange the target.",
+  volume:
+    "What the deformation of the plane costs at each place, before its weight: dark is nothing, light the most. The orange line is the target, the black one the reference, carried along.",
+};

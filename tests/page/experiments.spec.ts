@@ -49,11 +49,30 @@ test("an experiment can be cancelled and computed again", async ({ page }) => {
   await expect(section.getByRole("status")).toContainText("newton");
   await section.getByRole("button", { name: /^Cancel: / }).click();
   await expect(section.getByRole("progressbar")).toHaveCount(0);
-  await expect(section.getByRole("table")).toHaveCount(0);
+  // Nothing of the run that was cancelled: what was computed beforehand is back.
+  await expect(section.getByRole("status")).toHaveText("Computed beforehand; what you compute here takes its place.");
 
   const other = page.getByRole("region", { name: /^Fig\. 4/ });
   await other.getByRole("button", { name: /^Compute: / }).click();
   await expect(other.getByRole("table")).toBeVisible({ timeout: 60_000 });
+});
+
+test("the page opens with every experiment's outcome, and each pair opens in the page and is matched", async ({
+  page,
+}) => {
+  await page.goto("./experiments.html");
+  const regions = page.getByRole("region", { name: /./ }).filter({ has: page.getByRole("heading", { level: 2 }) });
+  await expect(regions).toHaveCount(7);
+  for (const region of await regions.all()) {
+    await expect(region.getByRole("table").first().or(region.getByRole("img").first()).first()).toBeVisible();
+    for (const image of await region.getByRole("img").all()) {
+      await image.scrollIntoViewIfNeeded();
+      await expect.poll(() => image.evaluate((one: HTMLImageElement) => one.naturalWidth)).toBeGreaterThan(300);
+    }
+  }
+  await page.getByRole("link", { name: /^Open in the page: Fig\. 5/ }).click();
+  await expect(page.getByRole("status").locator('data[data-name="mismatch-max"]')).toBeVisible({ timeout: 45_000 });
+  expect(page.url()).toContain("bending=1");
 });
 
 for (const colorScheme of ["light", "dark"] as const)

@@ -39,6 +39,7 @@ export const crumplingExperiment: Experiment = {
   paper:
     "On 33² nodes a circle matched with a much smaller one does not shrink: it folds up in waves within the band and keeps much of its length. The distance term cannot tell a smooth curve from a crumpled one closer than the grid's resolution.",
   setup: `Circle of radius ${RADIUS} to one smaller by the ratio, 17² then 33² nodes, the paper's settings, with α_bend = 0 and 1. Measured: the length of the matched curve over the small circle's perimeter, less 1.`,
+  example: () => ({ reference: circle(RADIUS), template: circle(RADIUS / 2), settings: { ...PAPER, finest: 5 } }),
   hasShortForm: false,
   async run(context) {
     const results: { bending: number; crumples: Crumple[] }[] = [];

@@ -4,6 +4,7 @@
  */
 
 import type { Registration, Settings, Shape } from "../wasm/thinshell.js";
+import { withPower } from "../words/numbers";
 
 export type { Registration, Settings, Shape, Status } from "../wasm/thinshell.js";
 
@@ -38,6 +39,12 @@ export type Experiment = {
   readonly paper: string;
   /** What is done here: shapes, settings, what is measured. */
   readonly setup: string;
+  /** The pair that says most, to be opened in the page. */
+  readonly example: () => {
+    readonly reference: Shape;
+    readonly template: Shape;
+    readonly settings: Partial<Settings>;
+  };
   /** Whether "short" is another computation than "full". */
   readonly hasShortForm: boolean;
   readonly run: (context: Context, size: Size) => Promise<Block[]>;
@@ -67,21 +74,5 @@ export function seconds(millis: number): string {
 
 /** A determinant or another small positive number. */
 export function small(value: number): string {
-  if (value >= 0.01) return value.toFixed(3);
-  const [mantissa, exponent] = value.toExponential(1).split("e");
-  return `${mantissa}·10${[...String(Number(exponent))].map((c) => SUPERSCRIPT[c]).join("")}`;
+  return value >= 0.01 ? value.toFixed(3) : withPower(value, 1);
 }
-
-const SUPERSCRIPT: Record<string, string> = {
-  "-": "⁻",
-  "0": "⁰",
-  "1": "¹",
-  "2": "²",
-  "3": "³",
-  "4": "⁴",
-  "5": "⁵",
-  "6": "⁶",
-  "7": "⁷",
-  "8": "⁸",
-  "9": "⁹",
-};

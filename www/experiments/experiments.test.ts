@@ -2,17 +2,21 @@
 
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
+import { decode } from "../state";
 import { initSync, Registration } from "../wasm/thinshell.js";
 import { crumple } from "./crumpling";
 import type { Context } from "./experiment";
 import { EXPERIMENTS } from "./index";
 import { cascade, singleLevel } from "./levels";
+import { linkTo } from "./link";
 import { document } from "./markdown";
 import { order } from "./measure";
 import { descend } from "./metric";
 import { matchPolygons, readPolygons } from "./polygons";
-import { rotate } from "./rotation";
+import { readDocument } from "./precomputed";
+import { rotate, saddleWords } from "./rotation";
 import { SHELL, strain, VOLUME, VOLUME_CORNERS } from "./strain";
+import { windowOf } from "./svg";
 
 initSync({ module: readFileSync(new URL("../wasm/thinshell_bg.wasm", import.meta.url)) });
 
@@ -137,7 +141,63 @@ describe("polygon files", () => {
   });
 });
 
+describe("the words of Fig. 6", () => {
+  const end = (found: number, match: number) => ({ found, energies: { match, rotation: 0.004 } });
+
+  it("name one grid once, and both where there are two", () => {
+    const ends = [end(44.5, 0.004), end(10, 0.007)];
+    expect(saddleWords(ends, { newton: 6, ncg: 6 }).match(/0\.00400000 on/g)).toHaveLength(1);
+    expect(saddleWords(ends, { newton: 7, ncg: 6 })).toContain("0.00400000 on 129² and 0.00400000 on 65²");
+  });
+
+  it("say only of ends above the rotation that corners were caught half way", () => {
+    const finest = { newton: 6, ncg: 6 };
+    expect(saddleWords([end(44.5, 0.004), end(44.5, 0.004)], finest)).toContain("neither end lies above it");
+    expect(saddleWords([end(44.5, 0.004), end(10, 0.007)], finest)).toContain(
+      "the gradient method's end lies above it",
+    );
+    expect(saddleWords([end(3, 0.005), end(44, 0.004)], finest)).toContain("Newton's end lies above it");
+    expect(saddleWords([end(3, 0.005), end(10, 0.007)], finest)).toContain("both ends lie above it");
+  });
+});
+
+describe("figures", () => {
+  it("show the curves, all panels the same part of the plane", () => {
+    const loop = Float64Array.of(0.4, 0.5, 0.6, 0.5, 0.6, 0.55);
+    const window = windowOf([
+      { title: "", reference: [loop] },
+      { title: "", matched: [loop.map((v) => v + 0.1)] },
+    ]);
+    expect(window.side).toBeCloseTo(0.3 * 1.24, 12);
+    expect(window.left + window.side / 2).toBeCloseTo(0.55, 12);
+    expect(windowOf([{ title: "" }])).toEqual({ left: 0, bottom: 0, side: 1 });
+  });
+});
+
+describe("every experiment", () => {
+  it.each(EXPERIMENTS.map((experiment) => [experiment.id, experiment] as const))(
+    "opens in the page: %s",
+    (_, { example }) => {
+      const link = linkTo(example());
+      const saved = decode(link);
+      expect(saved.reference.length + saved.template.length).toBeGreaterThanOrEqual(2);
+      expect(saved.settings.align).toBe("none");
+      expect(link.length).toBeLessThan(4000);
+    },
+  );
+});
+
 describe("the document", () => {
+  it("is read back as the blocks that it was written from", () => {
+    const blocks = [
+      { kind: "table", head: ["", "b"], rows: [["1", "x|y"]] },
+      { kind: "figure", name: "curve", svg: "", caption: "A curve." },
+      { kind: "text", text: "A sentence. Another one." },
+    ] as const;
+    const read = readDocument(document(EXPERIMENTS.map((experiment) => ({ ...experiment, blocks }))));
+    for (const { title } of EXPERIMENTS) expect(read.get(title)).toEqual(blocks);
+  });
+
   it("has every experiment's table and names every figure's file", () => {
     const figure = { kind: "figure", name: "curve", svg: "<svg/>", caption: "A curve." } as const;
     const rows = { kind: "table", head: ["a", "b"], rows: [["1", "x|y"]] } as const;

@@ -2,7 +2,8 @@
 
 import { cells, type Experiment, small, table } from "./experiment";
 import { ringStretch } from "./measure";
-import { circleToEllipse, RADIUS, SHELL, VOLUME, VOLUME_CORNERS } from "./strain";
+import { circle, ellipse } from "./shapes";
+import { circleToEllipse, HALF_AXES, RADIUS, SHELL, VOLUME, VOLUME_CORNERS } from "./strain";
 import { panels } from "./svg";
 
 export const gridsExperiment: Experiment = {
@@ -12,6 +13,7 @@ export const gridsExperiment: Experiment = {
     "The circle's match with the ellipse by volume energy alone, and by the thin shell. Volume energy pulls the grid out near the tips and leaves the rest; the shell spreads the stretch evenly along the curve.",
   setup:
     "The shapes and settings of Table 1 on 65² nodes, volume energy with the vertex share θ = 0 and 0.25. Every second grid line is drawn; ticks join points of the circle, equally spaced, with their partners.",
+  example: () => ({ reference: circle(RADIUS), template: ellipse(...HALF_AXES), settings: { ...SHELL, finest: 6 } }),
   hasShortForm: false,
   async run(context) {
     const level = 6;

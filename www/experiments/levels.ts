@@ -33,6 +33,7 @@ export const cascadeExperiment: Experiment = {
     "Complex surfaces are matched level by level, δ and ε halved each time (Fig. 7): the coarse levels find the large motion, the fine ones the features.",
   setup:
     "The page's example “Hand → spread hand” with the paper's settings: 17² to 129² nodes, the state at the end of each level. Then the finest level alone, from the identity: once with the δ and ε that the cascade has there, once with those it starts with.",
+  example: () => ({ ...example("hand"), settings: { ...PAPER, finest: 7 } }),
   hasShortForm: true,
   async run(context, size) {
     const finest = size === "full" ? 7 : 6;

@@ -46,6 +46,11 @@ export const metricExperiment: Experiment = {
     "The gradient is taken in the metric (1 − β²/2 Δ)⁻¹ with β halved as the search goes on: large regions move together at first. The paper uses it with Fletcher–Reeves directions and shows no comparison.",
   setup:
     "Circle of radius 0.2 to an ellipse with half axes 0.3 and 0.22, on a single level of 65² nodes (33² in the short form) from the identity, with the δ and ε that a cascade from 17² has there, tolerance 10⁻¹², at most 1500 iterations. β is halved whenever the energy stalls, down to h. The first curve starts at β = h, where the metric is as close to L² as this implementation goes. Shown: the energy less the least one found, over iterations and over time.",
+  example: () => ({
+    reference: circle(0.2),
+    template: ellipse(0.3, 0.22),
+    settings: { ...PAPER, finest: 6, minimizer: "ncg" },
+  }),
   hasShortForm: true,
   async run(context, size) {
     const level = size === "full" ? 6 : 5;

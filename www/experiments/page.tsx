@@ -1,13 +1,24 @@
 /** The page of the paper's experiments: what each is, and its outcome computed live. */
 
 import { render } from "preact";
+import paper from "../../docs/paper.md?raw";
 import { moduleAt } from "../engine";
 import solverUrl from "../wasm/thinshell_bg.wasm?url";
 import { type Block, type Experiment, seconds } from "./experiment";
 import { EXPERIMENTS } from "./index";
+import { linkTo } from "./link";
+import { readDocument } from "./precomputed";
 import { type Run, Runs } from "./runs";
 import "../style.css";
 import "./page.css";
+
+/** The outcome that is kept with the sources, and its figures. */
+const BEFOREHAND = readDocument(paper);
+const FIGURES: Record<string, string> = import.meta.glob("../../docs/figures/*.svg", {
+  query: "?url",
+  import: "default",
+  eager: true,
+});
 
 function App({ runs }: { runs: Runs }) {
   return (
@@ -41,6 +52,9 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
         <strong>Here.</strong> {setup}
       </p>
       <div class="group">
+        <a class="open" href={`./index.html#${linkTo(experiment.example())}`} aria-label={`Open in the page: ${title}`}>
+          Open in the page
+        </a>
         {run.kind === "running" ? (
           <button type="button" onClick={() => runs.cancel()} aria-label={`Cancel: ${title}`}>
             Cancel
@@ -64,8 +78,20 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
         )}
       </div>
       <State run={run} title={title} />
-      {run.kind === "done" && run.blocks.map((block, i) => <Piece key={`${id}-${i}`} block={block} />)}
+      <Outcome experiment={experiment} run={run} />
     </section>
+  );
+}
+
+/** What has been computed here, and before that what the documents hold. */
+function Outcome({ experiment: { id, title }, run }: { experiment: Experiment; run: Run }) {
+  const blocks = run.kind === "done" ? run.blocks : (BEFOREHAND.get(title) ?? []);
+  return (
+    <div class={run.kind === "running" ? "results waiting" : "results"} aria-busy={run.kind === "running"}>
+      {blocks.map((block, i) => (
+        <Piece key={`${id}-${i}`} block={block} />
+      ))}
+    </div>
   );
 }
 
@@ -93,6 +119,7 @@ function State({ run, title }: { run: Run; title: string }) {
       )}
       <p class="state" role="status">
         {run.kind === "running" && `${percent} %: ${run.doing}`}
+        {run.kind === "idle" && "Computed beforehand; what you compute here takes its place."}
         {run.kind === "done" && `Computed in ${seconds(run.millis)}${run.size === "short" ? ", on small grids" : ""}.`}
       </p>
     </>
@@ -102,7 +129,8 @@ function State({ run, title }: { run: Run; title: string }) {
 function Piece({ block }: { block: Block }) {
   if (block.kind === "text") return <p>{block.text}</p>;
   if (block.kind === "figure") {
-    const address = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
+    const drawn = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
+    const address = block.svg ? drawn : FIGURES[`../../docs/figures/${block.name}.svg`];
     return (
       <figure>
         {/* An image, so that the figure's style sheet stays its own. */}

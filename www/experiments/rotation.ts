@@ -72,6 +72,31 @@ export async function energyOf(
   }
 }
 
+export type Saddle = {
+  /** Degrees. */
+  readonly found: number;
+  readonly energies: { readonly match: number; readonly rotation: number };
+};
+
+/** Of Newton's method and the gradient method, on the finest levels of each. */
+export function saddleWords(
+  [newton, gradient]: readonly Saddle[],
+  finest: { readonly newton: number; readonly ncg: number },
+): string {
+  const energy = (value: number) => value.toPrecision(6);
+  const { newton: fine, ncg: coarse } = finest;
+  const rotation =
+    fine === coarse
+      ? `${energy(newton.energies.rotation)} there`
+      : `${energy(newton.energies.rotation)} on ${nodes(fine)} and ${energy(gradient.energies.rotation)} on ${nodes(coarse)}`;
+  const ends = [newton, gradient].filter(({ energies }) => energies.match > energies.rotation * (1 + 1e-3));
+  const meaning =
+    ends.length === 0
+      ? "neither end lies above it: the corners have been found."
+      : `${ends.length === 2 ? "both ends lie" : ends[0] === newton ? "Newton's end lies" : "the gradient method's end lies"} above it: there the corners have been caught half way, and the similarity start is what helps.`;
+  return `At 44.5° the start is all but symmetric, and how a search leaves a saddle is decided by little: with bending Newton's method ends at ${newton.found.toFixed(2)}° with the energy ${energy(newton.energies.match)} on ${nodes(fine)}, the gradient method at ${gradient.found.toFixed(2)}° with ${energy(gradient.energies.match)} on ${nodes(coarse)}. The rotation has ${rotation}; ${meaning}`;
+}
+
 export const rotationExperiment: Experiment = {
   id: "rotation",
   title: "Fig. 6 in 2D: a turned square",
@@ -79,11 +104,16 @@ export const rotationExperiment: Experiment = {
     "Shapes that differ by a rotation: with the bending energy (3) corners find corners. Without it, or with the mean curvature of eq. (10) in its place, they do not.",
   setup:
     "Rounded square, half side 0.12, corner radius 0.08, matched with itself turned by 15°, 30°, 40° and 44.5°, from the identity, with the paper's settings otherwise. At 45° the start is symmetric and nothing tells left from right, so half a degree is taken off. Measured: the rotation that takes the points of M1 to their partners best in the least squares sense; both minimisers.",
+  example: () => ({
+    reference: roundedSquare(0.12, 0.08, 0),
+    template: roundedSquare(0.12, 0.08, 30),
+    settings: { ...PAPER, finest: 7 },
+  }),
   hasShortForm: true,
   async run(context, size) {
     const rows: string[][] = [];
     const shown: { name: string; found: number; end: LevelEnd; energies: { match: number; rotation: number } }[] = [];
-    const saddle: { found: number; energies: { match: number; rotation: number } }[] = [];
+    const saddle: Saddle[] = [];
     const total = 2 * MODELS.length * ANGLES.length;
     let done = 0;
     for (const minimizer of ["newton", "ncg"] as const) {
@@ -127,9 +157,7 @@ export const rotationExperiment: Experiment = {
       text(
         `Without bending both minimisers leave the curve within a degree of where it started: it slides onto the template the shortest way. The rotation would do better, but hardly: on the finest level the match found has the energy ${shown[0].energies.match.toPrecision(6)}, the exact rotation by 30° ${shown[0].energies.rotation.toPrecision(6)}. A rotation costs membrane and volume nothing either, so a thorough minimiser may drift towards it; nothing drives it there within any sensible tolerance. With bending the same two numbers are ${shown[1].energies.match.toPrecision(6)} for the match found and ${shown[1].energies.rotation.toPrecision(6)} for the rotation. What bending adds is the force, not the minimum.`,
       ),
-      text(
-        `At 44.5° the start is all but symmetric, and how a search leaves a saddle is decided by little: with bending Newton's method ends at ${saddle[0].found.toFixed(2)}° with the energy ${saddle[0].energies.match.toPrecision(6)}, the gradient method at ${saddle[1].found.toFixed(2)}° with ${saddle[1].energies.match.toPrecision(6)}. The rotation has ${saddle[0].energies.rotation.toPrecision(6)} on ${nodes(FINEST[size].newton)} and ${saddle[1].energies.rotation.toPrecision(6)} on ${nodes(FINEST[size].ncg)}: where an end lies above it, the corners have been caught half way, and the similarity start is what helps.`,
-      ),
+      text(saddleWords(saddle, FINEST[size])),
       text(
         "Eq. (10) carries no factor δ³, so with weight 1 it outweighs the other terms: rotations up to 40° are met less exactly and with ten times the mismatch or more, and at 44.5° the curve does not reach the template. Reduced to 0.01 it finds every rotation in 2D, where the mean curvature is all the curvature there is; the case against it is made by surfaces.",
       ),

@@ -86,6 +86,7 @@ export const strainExperiment: Experiment = {
   paper:
     "A circle is matched with an ellipse whose perimeter is 2.38 times as long, on 33² to 513² nodes. With the thin shell the standard deviation of the tangential strain halves with every refinement: 0.1758, 0.0875, 0.0440, 0.0234, 0.0143. With volume energy alone, eq. (9), it stays near 0.8 whatever the grid.",
   setup: `Circle of radius ${RADIUS}, ellipse with half axes ${HALF_AXES.join(" and ")}, so that the perimeters' ratio is ${(ellipsePerimeter(...HALF_AXES) / (2 * Math.PI * RADIUS)).toFixed(3)}; both centred in the unit box. Shell: α_bend = 0, σ = 0.04, otherwise the paper's settings. Volume only: ξ = 1, ζ = 10⁻³, 1/ε = 10⁵ on all levels, α_mem = α_bend = 0, once with θ = 0 and once with θ = 0.25. Tolerance 10⁻⁷. Every row is the end of a cascade of its own, from 17² upwards, from 9² for θ = 0.25. Measured: the standard deviation, by area, of l = |Dφ t| over all Gauss points with |d₁| < h, where t is the tangent of the offset circle through the point.`,
+  example: () => ({ reference: circle(RADIUS), template: ellipse(...HALF_AXES), settings: { ...SHELL, finest: 7 } }),
   hasShortForm: true,
   async run(context, size) {
     const finest = size === "full" ? 9 : 7;

@@ -3,13 +3,15 @@
  * Every figure brings its paper along and follows the reader's light or dark scheme.
  */
 
+import { plain, power, withPower } from "../words/numbers";
+
 export type Loops = readonly Float64Array[];
 
 const STYLE = `
   text { font: 12px system-ui, "Segoe UI", sans-serif; fill: #1b2130 }
   .paper { fill: #fffefb } .frame { fill: none; stroke: #d8d6cd } .grid { fill: none; stroke: #9aa2b3; stroke-width: .6 }
   .reference { fill: none; stroke: #2b5fd0; stroke-width: 1.2 } .matched { fill: none; stroke: #2b5fd0; stroke-width: 2 }
-  .template { fill: none; stroke: #d97a35; stroke-width: 4; opacity: .55 } .tick { stroke: #2b5fd0; stroke-width: .7; opacity: .6 }
+  .template { fill: none; stroke: #d97a35; stroke-width: 4; opacity: .55 } .tick { stroke: #2b5fd0; stroke-width: .9; opacity: .7 }
   .s0 { stroke: #1b2130 } .s1 { stroke: #0072b2 } .s2 { stroke: #d55e00 } .s3 { stroke: #009e73 } .s4 { stroke: #cc79a7 } .s5 { stroke: #b8860b }
   .series { fill: none; stroke-width: 1.8; stroke-linejoin: round }
   @media (prefers-color-scheme: dark) {
@@ -49,16 +51,44 @@ export function panels(list: readonly Panel[], columns: number, size: number): s
   const rows = Math.ceil(list.length / columns);
   const foot = list.some((panel) => panel.note) ? FOOT : 0;
   const height = HEAD + size + foot;
+  const window = windowOf(list);
   const parts = list.map((panel, i) => {
     const x = GAP + (i % columns) * (size + GAP);
     const y = GAP / 2 + Math.floor(i / columns) * (height + GAP);
-    return `<g transform="translate(${x} ${y})">${onePanel(panel, size)}</g>`;
+    return `<g transform="translate(${x} ${y})">${onePanel(panel, size, window)}</g>`;
   });
   return svg(GAP + columns * (size + GAP), GAP + rows * (height + GAP), ...parts);
 }
 
-function onePanel(panel: Panel, size: number): string {
-  const place: Place = (x, y) => [x * size, (1 - y) * size];
+/** A square of the plane. */
+type Window = { readonly left: number; readonly bottom: number; readonly side: number };
+
+/** Around the curves, as a part of their extent. */
+const AROUND = 0.12;
+
+/** What all panels show, so that they can be compared: their curves, and a little around. The box where there are none. */
+export function windowOf(list: readonly Panel[]): Window {
+  const loops = list.flatMap(({ reference = [], template = [], matched = [] }) => [
+    ...reference,
+    ...template,
+    ...matched,
+  ]);
+  let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (const loop of loops) {
+    for (let i = 0; i < loop.length; i += 2) {
+      left = Math.min(left, loop[i]);
+      right = Math.max(right, loop[i]);
+      bottom = Math.min(bottom, loop[i + 1]);
+      top = Math.max(top, loop[i + 1]);
+    }
+  }
+  if (!(right > left)) return { left: 0, bottom: 0, side: 1 };
+  const side = (1 + 2 * AROUND) * Math.max(right - left, top - bottom);
+  return { left: (left + right - side) / 2, bottom: (bottom + top - side) / 2, side };
+}
+
+function onePanel(panel: Panel, size: number, { left, bottom, side }: Window): string {
+  const place: Place = (x, y) => [((x - left) / side) * size, (1 - (y - bottom) / side) * size];
   const closed = (kind: string, loops: Loops = []) =>
     loops.length === 0 ? "" : `<path class="${kind}" d="${loops.map((loop) => outline(loop, place)).join("")}"/>`;
   const { level, deformation } = panel;
@@ -244,9 +274,8 @@ function niceStep(least: number): number {
 }
 
 function label(value: number): string {
-  if (value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5))
-    return value.toExponential(0).replace("e+", "e");
-  return String(Number(value.toPrecision(3)));
+  if (value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5)) return power(value) ?? withPower(value, 0);
+  return plain(value, 3);
 }
 
 function tenth(value: number): number {

@@ -58,6 +58,7 @@ export const sweepExperiment: Experiment = {
   paper: "The paper gives its parameters' values without a study of them.",
   setup:
     "The page's example “Hand → spread hand”, 17² to 65² nodes, one setting changed at a time and the others as in the paper (1/ε = 10³, δ = 0.5, σ = 0.05, ξ = 10⁻³, θ = 0.25).",
+  example: () => ({ ...example("hand"), settings: { ...PAPER, finest: 6 } }),
   hasShortForm: false,
   async run(context) {
     const blocks = [];

@@ -1,6 +1,8 @@
 /** Wires shapes, solver and views into the page; the only file that knows all. */
 
 import { render } from "preact";
+import { ForcesSwitch } from "./controls/ForcesSwitch";
+import { Guess } from "./controls/Guess";
 import { Import } from "./controls/Import";
 import { Later } from "./controls/Later";
 import { Morph } from "./controls/Morph";
@@ -17,7 +19,6 @@ import { moduleAt } from "./engine";
 import { changedFields, Session } from "./session";
 import { open, readStorage } from "./state";
 import "./style.css";
-import "./controls/views.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
 import SolverWorker from "./worker?worker&inline";
 
@@ -33,18 +34,24 @@ function App({ session }: { session: Session }) {
         <Problem session={session} />
       </div>
       <section class="outcome" aria-labelledby="outcome-name">
-        <header>
-          <h2 id="outcome-name" class="unseen">
-            Match
-          </h2>
-          <ViewPicker session={session} />
-          <Present session={session} />
-          <Save session={session} />
-        </header>
-        <Stage session={session} />
-        <Morph session={session} />
+        <div class="sight">
+          <header>
+            <h2 id="outcome-name" class="unseen">
+              Match
+            </h2>
+            <ViewPicker session={session} />
+            <Present session={session} />
+            <Save session={session} />
+          </header>
+          <Stage session={session} />
+          <Morph session={session} />
+        </div>
         <StatusPanel session={session} />
         <Terms session={session} />
+        <div class="extras">
+          <ForcesSwitch session={session} />
+          <Guess session={session} />
+        </div>
         <Caption />
         <Later
           session={session}

@@ -120,3 +120,35 @@ test("a presentation shows the result alone in type of 20 px and more, and keys 
   await expect(button(page, "Present")).toBeVisible();
   await expect(page.getByRole("application", { name: "Reference shape" })).toBeVisible();
 });
+
+test("the terms' forces are drawn over the picture, and go again", async ({ page }) => {
+  const seen = watch(page);
+  await opened(page);
+  const plain = await picture(result(page));
+  const forces = page.getByLabel("Show their forces as arrows");
+  await forces.check();
+  await expect.poll(() => picture(result(page)), { timeout: 30_000 }).not.toBe(plain);
+  await forces.uncheck();
+  await expect.poll(() => picture(result(page))).toBe(plain);
+  expect(seen.errors).toEqual([]);
+});
+
+test("where a point goes is guessed first, by the hand or by the keys, and then seen", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await opened(page);
+  await button(page, "Guess first").click();
+  await expect(page.getByText(/^Where will the marked point of the reference go/)).toBeVisible();
+  await expect(page.getByRole("slider", { name: "Morph" })).toHaveValue("0");
+  const box = await result(page).boundingBox();
+  if (!box) throw new Error("the result is not on the page");
+  await page.mouse.click(box.x + box.width / 4, box.y + box.height / 2);
+  await expect(page.getByText(/^Your guess was 0\.\d+ box sides off, [\d.]+ cells of the grid\.$/)).toBeVisible();
+  await expect(page.getByRole("slider", { name: "Morph" })).toHaveValue("100");
+  await button(page, "Another point").click();
+  await result(page).focus();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await expect(page.getByText(/^Your guess was/)).toBeVisible();
+  await button(page, "Done").click();
+  await expect(page.getByText(/^Your guess was/)).toHaveCount(0);
+});

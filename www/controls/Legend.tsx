@@ -3,7 +3,11 @@ import { useEffect } from "preact/hooks";
 import type { Session } from "../session";
 import type { Match } from "../view/result";
 import { css, type Scale } from "../view/scales";
+import { adopt } from "./adopt";
+import style from "./legend.css?inline";
 import { lazy, picture, view } from "./viewing";
+
+adopt(style);
 
 const BINS = 40;
 

@@ -4,7 +4,7 @@ import { Surface } from "../view/canvas";
 import { movedAt, movedLoops, wayOf } from "../view/morph";
 import { drawMark, localNumbers, probeAt, stepped } from "../view/probe";
 import type { ResultScene } from "../view/result";
-import { draw, lazy, picture, probe, view } from "./viewing";
+import { arrows, draw, guess, lazy, picture, probe, view } from "./viewing";
 
 /** φ leaves the box a little under the natural boundary condition; this much around it is shown. */
 const MARGIN = 0.05;
@@ -41,7 +41,7 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
     });
     surface.current = made;
     const stop = effect(() => {
-      for (const shown of [scene, limit, view, lazy, picture, probe]) shown.value;
+      for (const shown of [scene, limit, view, lazy, picture, probe, arrows, guess]) shown.value;
       made.invalidate();
     });
     return () => {
@@ -54,10 +54,22 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
     const { match, morph } = scene.peek();
     if (!match || !surface.current) return;
     const { x, y } = surface.current.pointFrom(event);
+    const asked = guess.peek();
+    if (asked?.of === match.deformation) {
+      asked.moved({ x, y });
+      if (event.type === "pointerdown") asked.place();
+      return;
+    }
     const { reference } = match.curves;
     probe.value = probeAt(reference, movedLoops(match, morph), x, y, REACH / surface.current.pixelsPerUnit);
   };
   const press = (event: KeyboardEvent) => {
+    const asked = guess.peek();
+    if (asked && asked.of === scene.peek().match?.deformation && (event.key === "Enter" || asked.key(event.key))) {
+      event.preventDefault();
+      if (event.key === "Enter") asked.place();
+      return;
+    }
     const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     const { match } = scene.peek();
     if (event.key === "Escape") probe.value = null;

@@ -9,7 +9,7 @@ import { en } from "../words/en";
 import { resultState } from "../words/said";
 import { MatchCanvas } from "./MatchCanvas";
 import { Readout } from "./Readout";
-import { lazy, limitOf, past, view } from "./viewing";
+import { guess, lazy, limitOf, past, view } from "./viewing";
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */
 export function ResultPanel({ session }: { session: Session }) {
@@ -42,6 +42,9 @@ export function ResultPanel({ session }: { session: Session }) {
         void lazy.value?.legends.takePicture(session, file);
       }}
     >
+      <p class="asked" aria-live="polite">
+        {guess.value?.of === session.match.value?.deformation && guess.value?.says}
+      </p>
       {past.value && <p class="outdated past">{past.value.words}</p>}
       {session.stale.value && !past.value && <p class="outdated">{en.result.outdated}</p>}
       <MatchCanvas label={label} scene={scene} limit={limit} drawn={drawn} />

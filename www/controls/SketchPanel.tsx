@@ -13,7 +13,7 @@ import { probeAt } from "../view/probe";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
 import { ImportButton } from "./Import";
-import { probe } from "./viewing";
+import { guess, probe } from "./viewing";
 
 /** Of the pointer to the reference, in CSS pixels, to show the partner of its nearest point. */
 const PROBE_REACH = 24;
@@ -162,5 +162,6 @@ function colouredLoops(session: Session, side: Side) {
 
 /** The finished match that gives the template its colours. */
 function colourOf(session: Session, side: Side) {
-  return side === "template" && isDone(session.phase.value) ? session.match.value : null;
+  // Nor while somebody is to guess what they tell.
+  return side === "template" && isDone(session.phase.value) && !guess.value ? session.match.value : null;
 }

@@ -17,6 +17,24 @@ export const probe = signal<Probe | null>(null);
 /** An iteration that is looked at again, and what the picture says of it. */
 export const past = signal<{ readonly match: Match; readonly words: string } | null>(null);
 
+/** A guess under way, of one match: who points at the picture means the guess. */
+export const guess = signal<{
+  readonly of: Float64Array;
+  /** What is asked, or what came out. */
+  readonly says: string;
+  readonly moved: (place: { readonly x: number; readonly y: number }) => void;
+  readonly place: () => void;
+  /** Whether the key was one of the guess's. */
+  readonly key: (key: string) => boolean;
+  readonly draw: (context: CanvasRenderingContext2D, frame: Frame) => void;
+} | null>(null);
+
+/** What is drawn over the picture of one match, and of no other. */
+export const arrows = signal<{
+  readonly of: Float64Array;
+  readonly draw: (context: CanvasRenderingContext2D, frame: Frame, match: Match, morph: number) => void;
+} | null>(null);
+
 /** What draws all views but the grid, once it is there: no part of the first load. */
 export const lazy = signal<{
   readonly views: typeof import("../view/views");
@@ -57,4 +75,8 @@ export function draw(
   const [painter, image] = [lazy.peek(), picture.peek()];
   if (view.peek() === "grid" || !match || !painter || !image) drawResult(context, frame, colours, scene);
   else painter.views.drawView(view.peek(), context, frame, colours, { match, morph, bandwidth, limit, picture: image });
+  const over = arrows.peek();
+  if (match && over?.of === match.deformation) over.draw(context, frame, match, morph);
+  const asked = guess.peek();
+  if (match && asked?.of === match.deformation) asked.draw(context, frame);
 }

@@ -55,6 +55,7 @@ export const en = {
   terms: {
     title: "Energy by term",
     names: { membrane: "Stretching", bending: "Bending", mismatch: "Mismatch", volume: "Volume" },
+    forces: "Show their forces as arrows",
     rest: (energy: string) => `Above the ${energy} that are there before anything is deformed.`,
     helps: {
       membrane: "Off: the shell may be stretched along the curve for nothing.",
@@ -69,6 +70,8 @@ export const en = {
     leave: "Leave",
     help: "The result alone on the whole screen, in large type",
   },
+
+  guess: { begin: "Guess first", another: "Another point", end: "Done" },
 
   save: {
     legend: "With a legend",

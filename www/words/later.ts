@@ -30,6 +30,11 @@ export const later = {
 
   legend: { reference: "Reference", matched: "Reference, moved", template: "Target" },
 
+  guess: {
+    ask: "Where will the marked point of the reference go? Click there in the picture, or lead the cross by the arrow keys and press Enter.",
+    off: (sides: string, cells: string) => `Your guess was ${sides} box sides off, ${cells} cells of the grid.`,
+  },
+
   present: { keys: "Space plays, ← → step, v next view, Esc leaves" },
 };
 

@@ -121,3 +121,14 @@ test.describe("under fingers", () => {
     expect(small).toEqual([]);
   });
 });
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`no other page has an accessibility violation (${colorScheme})`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    for (const address of ["./experiments.html", "./licences.html"]) {
+      await page.goto(address);
+      await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
+      expect((await new AxeBuilder({ page }).analyze()).violations, address).toEqual([]);
+    }
+  });
+}

@@ -3,6 +3,7 @@ import { useEffect, useMemo } from "preact/hooks";
 import { sentence } from "../run";
 import type { Session } from "../session";
 import { type Chosen, FIELDS, parseSetting, withSetting } from "../settings";
+import { later } from "../words/later";
 import { adopt } from "./adopt";
 import style from "./compare.css?inline";
 import { Comparison } from "./compared";
@@ -51,14 +52,14 @@ export function Compare({ session }: { session: Session }) {
         <ChangeField side="A" change={a} />
         <ChangeField side="B" change={b} />
         <button type="button" class="primary" disabled={busy.value} onClick={run}>
-          {busy.value ? "Comparing …" : "Compare"}
+          {busy.value ? later.compare.running : later.compare.run}
         </button>
         <button type="button" disabled={!busy.value} onClick={() => comparison.stop()}>
-          Stop comparing
+          {later.compare.stop}
         </button>
-        <ViewPicker session={session} name="View of both" />
+        <ViewPicker session={session} name={later.compare.view} />
         <label class="both-morph">
-          Morph of both
+          {later.compare.morph}
           <input
             type="range"
             min={0}
@@ -80,16 +81,16 @@ function ChangeField({ side, change }: { side: "A" | "B"; change: Signal<Change>
   const field = FIELDS.find(({ name }) => name === change.value.field);
   return (
     <fieldset class="change">
-      <legend>{side}: the page’s settings, but</legend>
+      <legend>{later.compare.but(side)}</legend>
       <select
-        aria-label={`Setting that ${side} changes`}
+        aria-label={later.compare.setting(side)}
         value={change.value.field}
         onChange={(event) => {
           const name = event.currentTarget.value;
           change.value = { field: name, value: String(FIELDS.find((other) => other.name === name)?.initial ?? "") };
         }}
       >
-        <option value="">nothing changed</option>
+        <option value="">{later.compare.nothing}</option>
         {FIELDS.map(({ name, label }) => (
           <option key={name} value={name}>
             {label}
@@ -98,7 +99,7 @@ function ChangeField({ side, change }: { side: "A" | "B"; change: Signal<Change>
       </select>
       {field?.kind === "choice" && (
         <select
-          aria-label={`${field.label} of ${side}`}
+          aria-label={later.compare.of(field.label, side)}
           value={change.value.value}
           onChange={(event) => {
             change.value = { field: field.name, value: event.currentTarget.value };
@@ -117,7 +118,7 @@ function ChangeField({ side, change }: { side: "A" | "B"; change: Signal<Change>
           step="any"
           min={field.least}
           max={field.most}
-          aria-label={`${field.label} of ${side}`}
+          aria-label={later.compare.of(field.label, side)}
           value={change.value.value}
           onChange={(event) => {
             change.value = { field: field.name, value: event.currentTarget.value };

@@ -5,6 +5,7 @@ import plotStyle from "uplot/dist/uPlot.min.css?inline";
 import type { Iteration } from "../protocol";
 import type { Session } from "../session";
 import { matchAt } from "../view/past";
+import { en } from "../words/en";
 import { later } from "../words/later";
 import { decimals, power } from "../words/numbers";
 import { gridName } from "../words/said";
@@ -19,11 +20,11 @@ const HEIGHT = 240;
 
 /** Dashes besides colours, for eyes and printers that tell no colours apart. */
 const TERMS = [
-  { name: "total", label: "Total", colour: "ink", dash: [] },
-  { name: "membrane", label: "Stretching", colour: "reference", dash: [8, 3] },
-  { name: "bending", label: "Bending", colour: "bending", dash: [2, 3] },
-  { name: "mismatch", label: "Mismatch", colour: "template", dash: [] },
-  { name: "volume", label: "Volume", colour: "volume", dash: [8, 3, 2, 3] },
+  { name: "total", label: later.energies.total, colour: "ink", dash: [] },
+  { name: "membrane", label: en.terms.names.membrane, colour: "reference", dash: [8, 3] },
+  { name: "bending", label: en.terms.names.bending, colour: "bending", dash: [2, 3] },
+  { name: "mismatch", label: en.terms.names.mismatch, colour: "template", dash: [] },
+  { name: "volume", label: en.terms.names.volume, colour: "volume", dash: [8, 3, 2, 3] },
 ] as const;
 
 /** All terms of the energy over all iterations, logarithmic, with a line where a finer grid begins. */
@@ -56,8 +57,8 @@ export function EnergyPlot({ session }: { session: Session }) {
   }, [session]);
   return (
     <figure class="energy-plot">
-      <div ref={place} role="img" aria-label="Energy terms over iterations, logarithmic" />
-      {session.energies.value.length === 0 && <p>Press Match to see the energies fall.</p>}
+      <div ref={place} role="img" aria-label={later.energies.title} />
+      {session.energies.value.length === 0 && <p>{later.energies.none}</p>}
       <Scrubber session={session} />
     </figure>
   );
@@ -121,7 +122,7 @@ function options(element: HTMLElement, history: () => readonly Iteration[]): uPl
     height: HEIGHT,
     scales: { x: { time: false }, y: { distr: 3 } },
     axes: [
-      { ...axis, size: 28, label: "iteration", labelFont: font, labelSize: 18 },
+      { ...axis, size: 28, label: later.energies.axis, labelFont: font, labelSize: 18 },
       {
         ...axis,
         size: 46,
@@ -130,7 +131,7 @@ function options(element: HTMLElement, history: () => readonly Iteration[]): uPl
       },
     ],
     series: [
-      { label: "Iteration" },
+      { label: later.energies.iteration },
       ...TERMS.map(({ label, colour: name, dash }) => ({
         label,
         stroke: colour(name),

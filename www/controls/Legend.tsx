@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import type { Session } from "../session";
 import type { Match } from "../view/result";
 import { css, type Scale } from "../view/scales";
+import { later } from "../words/later";
 import { adopt } from "./adopt";
 import style from "./legend.css?inline";
 import { lazy, picture, view } from "./viewing";
@@ -21,7 +22,7 @@ export function Legend({ session, match, limit, bandwidth }: Shown) {
   const scale = painter.views.markedScale(view.value, shown, bandwidth, limit.value, dark.value);
   if (!scale) return null;
   return (
-    <figure class="legend" aria-label="Legend">
+    <figure class="legend" aria-label={later.view.legend}>
       {view.value === "stretch" && <Histogram parts={painter.views.histogram(shown, scale, BINS)} scale={scale} />}
       <ScaleBar scale={scale} />
     </figure>
@@ -76,8 +77,9 @@ function Histogram({ parts, scale }: { parts: readonly number[]; scale: Scale })
 
 function words(parts: readonly number[]): string {
   const highest = parts.indexOf(Math.max(...parts));
-  const where = highest < parts.length * 0.4 ? "shortened" : highest < parts.length * 0.6 ? "kept" : "lengthened";
-  return `Histogram of the stretch; the largest share of the curve is ${where}`;
+  const [shorter, kept, longer] = later.view.shares;
+  const where = highest < parts.length * 0.4 ? shorter : highest < parts.length * 0.6 ? kept : longer;
+  return later.view.histogram(where);
 }
 
 /** Any picture instead of the pattern, chosen or dropped onto the result. */
@@ -85,7 +87,7 @@ function PictureChoice({ session }: { session: Session }) {
   return (
     <div class="legend picture">
       <label>
-        Choose a picture …
+        {later.view.choose}
         <input
           type="file"
           accept="image/*"
@@ -102,7 +104,7 @@ function PictureChoice({ session }: { session: Session }) {
           picture.value = lazy.value?.pictures.pattern() ?? null;
         }}
       >
-        Test pattern
+        {later.view.pattern}
       </button>
     </div>
   );

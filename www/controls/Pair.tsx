@@ -3,6 +3,7 @@ import { choiceWords } from "../runs";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
 import type { ResultScene } from "../view/result";
+import { later } from "../words/later";
 import { decimals } from "../words/numbers";
 import { adopt } from "./adopt";
 import type { Outcome } from "./compared";
@@ -64,7 +65,7 @@ function Panel({ session, outcomes, names, index }: PairProperties & { readonly 
     ),
   );
   const title = titleOf(outcomes.value[index], outcomes.value[1 - index]);
-  const label = `Result of ${names[index]}`;
+  const label = later.compare.result(names[index]);
   return (
     <figure class="side">
       <figcaption>
@@ -74,7 +75,7 @@ function Panel({ session, outcomes, names, index }: PairProperties & { readonly 
       <div class="surface">
         <MatchCanvas label={label} scene={scene} limit={limit} />
         <Legend session={session} match={match} limit={limit} bandwidth={scene.value.bandwidth} />
-        <Readout match={match} name={`Numbers at the point, ${names[index]}`} />
+        <Readout match={match} name={later.compare.numbers(names[index])} />
       </div>
     </figure>
   );
@@ -87,9 +88,7 @@ function matchOf({ frame: { status, deformation, curves } }: Outcome) {
 function Differences({ a, b, names }: { a: Outcome; b: Outcome; names: Names }) {
   return (
     <table class="differences">
-      <caption class="unseen">
-        Differences between {names[0]} and {names[1]}
-      </caption>
+      <caption class="unseen">{later.compare.differences(...names)}</caption>
       <thead>
         <tr>
           <td />
@@ -119,20 +118,21 @@ function Differences({ a, b, names }: { a: Outcome; b: Outcome; names: Names }) 
 
 function rowsOf({ frame: { status }, millis }: Outcome): readonly (readonly [string, number])[] {
   const { energies, mismatch, cover, stretch } = status;
+  const { rows } = later.compare;
   return [
-    ["Energy", energies.total],
-    ["of stretching", energies.membrane],
-    ["of bending", energies.bending],
-    ["of the mismatch", energies.mismatch],
-    ["of the volume", energies.volume],
-    ["Largest distance, cells", mismatch.max],
-    ["Mean distance, cells", mismatch.mean],
-    ["Target missed by, cells", cover.max],
-    ["Length ratio", status.measure],
-    ["Mean stretch", stretch.mean],
-    ["Deviation of the stretch", stretch.deviation],
-    ["Least area ratio", status.leastDeterminant],
-    ["Evaluations", status.evaluations],
-    ...(millis === undefined ? [] : [["Time, ms", millis] as const]),
+    [rows.total, energies.total],
+    [rows.membrane, energies.membrane],
+    [rows.bending, energies.bending],
+    [rows.mismatch, energies.mismatch],
+    [rows.volume, energies.volume],
+    [rows.largest, mismatch.max],
+    [rows.mean, mismatch.mean],
+    [rows.missed, cover.max],
+    [rows.measure, status.measure],
+    [rows.stretch, stretch.mean],
+    [rows.deviation, stretch.deviation],
+    [rows.area, status.leastDeterminant],
+    [rows.evaluations, status.evaluations],
+    ...(millis === undefined ? [] : [[rows.millis, millis] as const]),
   ];
 }

@@ -89,7 +89,7 @@ function Outcome({ experiment: { id, title }, run }: { experiment: Experiment; r
   return (
     <div class={run.kind === "running" ? "results waiting" : "results"} aria-busy={run.kind === "running"}>
       {blocks.map((block, i) => (
-        <Piece key={`${id}-${i}`} block={block} />
+        <Piece key={`${id}-${i}`} block={block} name={`${title}, part ${i + 1}`} />
       ))}
     </div>
   );
@@ -126,7 +126,8 @@ function State({ run, title }: { run: Run; title: string }) {
   );
 }
 
-function Piece({ block }: { block: Block }) {
+/** `name` tells tables apart. */
+function Piece({ block, name }: { block: Block; name: string }) {
   if (block.kind === "text") return <p>{block.text}</p>;
   if (block.kind === "figure") {
     const drawn = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
@@ -146,15 +147,19 @@ function Piece({ block }: { block: Block }) {
   }
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable with the keyboard
-    <section class="wide" tabIndex={0} aria-label="Table">
+    <section class="wide" tabIndex={0} aria-label={`Table: ${name}`}>
       <table>
         <thead>
           <tr>
-            {block.head.map((cell, i) => (
-              <th key={`${i}-${cell}`} scope="col">
-                {cell}
-              </th>
-            ))}
+            {block.head.map((cell, i) =>
+              cell === "" ? (
+                <td key={`${i}-`} />
+              ) : (
+                <th key={`${i}-${cell}`} scope="col">
+                  {cell}
+                </th>
+              ),
+            )}
           </tr>
         </thead>
         <tbody>

@@ -11,6 +11,53 @@ export const later = {
     automatic: (value: string) => `Now: ${value} box sides.`,
   },
 
+  compare: {
+    setting: (side: string) => `Setting that ${side} changes`,
+    but: (side: string) => `${side}: the page’s settings, but`,
+    nothing: "nothing changed",
+    of: (setting: string, side: string) => `${setting} of ${side}`,
+    run: "Compare",
+    running: "Comparing …",
+    stop: "Stop comparing",
+    view: "View of both",
+    morph: "Morph of both",
+    result: (name: string) => `Result of ${name}`,
+    numbers: (name: string) => `Numbers at the point, ${name}`,
+    differences: (a: string, b: string) => `Differences between ${a} and ${b}`,
+    rows: {
+      total: "Energy",
+      membrane: "of stretching",
+      bending: "of bending",
+      mismatch: "of the mismatch",
+      volume: "of the volume",
+      largest: "Largest distance, cells",
+      mean: "Mean distance, cells",
+      missed: "Target missed by, cells",
+      measure: "Length ratio",
+      stretch: "Mean stretch",
+      deviation: "Deviation of the stretch",
+      area: "Least area ratio",
+      evaluations: "Evaluations",
+      millis: "Time, ms",
+    },
+  },
+
+  energies: {
+    title: "Energy terms over iterations, logarithmic",
+    none: "Press Match to see the energies fall.",
+    iteration: "Iteration",
+    axis: "iteration",
+    total: "Total",
+  },
+
+  view: {
+    legend: "Legend",
+    histogram: (most: string) => `Histogram of the stretch; the largest share of the curve is ${most}`,
+    shares: ["shortened", "kept", "lengthened"],
+    choose: "Choose a picture …",
+    pattern: "Test pattern",
+  },
+
   runs: {
     none: "Press Match: each run is kept here, to be shown again and to be compared.",
     title: "Runs so far, newest first",

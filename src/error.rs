@@ -1,6 +1,6 @@
 //! What can be wrong with the input, in words that say what to do.
 
-use crate::words::quoted;
+use crate::words::{fixed, number, quoted, scientific};
 use thiserror::Error;
 
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -22,12 +22,14 @@ pub enum Error {
     NotFinite { name: &'static str, position: usize },
     /// More memory than there is.
     #[error(
-        "finest = {finest} with these settings needs up to {gigabytes:.1} GB of memory, more than there is; choose a smaller coarsest or finest level"
+        "finest = {finest} with these settings needs up to {} GB of memory, more than there is; choose a smaller coarsest or finest level",
+        fixed(*gigabytes, 1)
     )]
     Memory { gigabytes: f64, finest: u32 },
     /// Weights, or a level set, out of all proportion.
     #[error(
-        "the {term} energy is {value:e} before anything has moved, more than numbers of this precision can balance ({most:e} at most); choose smaller weights, or level sets that are distances"
+        "the {term} energy is {} before anything has moved, more than numbers of this precision can balance ({} at most); choose smaller weights, or level sets that are distances",
+        number(*value), number(*most)
     )]
     NoEnergy { term: &'static str, value: f64, most: f64 },
 }
@@ -46,8 +48,8 @@ pub enum ShapeError {
     #[error("holds no node of the grid of {cells} cells a side; make it larger or choose a finer grid")]
     TooSmall { cells: usize },
     #[error(
-        "is too thin for the grid of {cells} cells a side, which sees {percent:.0} % of its outline; make it thicker or choose a finer grid",
-        percent = 100.0 * share
+        "is too thin for the grid of {cells} cells a side, which sees {} % of its outline; make it thicker or choose a finer grid",
+        fixed(100.0 * share, 0)
     )]
     TooThin { share: f64, cells: usize },
     #[error(
@@ -56,7 +58,8 @@ pub enum ShapeError {
     )]
     OutsideBox { side: &'static str, coordinate: &'static str, value: f64 },
     #[error(
-        "comes within {cells:.1} cells of the {side} border (at {coordinate} = {value:.3}), at least {needed} are needed; make it smaller or move it inwards (\"Fit\" does both)"
+        "comes within {} cells of the {side} border (at {coordinate} = {}), at least {} are needed; make it smaller or move it inwards (\"Fit\" does both)",
+        fixed(*cells, 1), fixed(*value, 3), number(*needed)
     )]
     NearBorder { side: &'static str, coordinate: &'static str, value: f64, cells: f64, needed: f64 },
     #[error("has a level set of {found} values, but {cells} cells a side in {dim}D make {expected} nodes")]
@@ -68,7 +71,8 @@ pub enum ShapeError {
     #[error("has a level set without a sign change; it must be negative inside and positive outside")]
     NoSignChange,
     #[error(
-        "has a level set that is no distance: it climbs {slope:.3e} a unit of length at its zero set and reaches {greatest:.3e}, a distance 1 and less than 2; set redistance to true, or scale it"
+        "has a level set that is no distance: it climbs {} a unit of length at its zero set and reaches {}, a distance 1 and less than 2; set redistance to true, or scale it",
+        scientific(*slope), scientific(*greatest)
     )]
     LevelSetSlope { slope: f64, greatest: f64 },
     #[error("has a mask of {found} pixels, but {width} × {height} = {expected} are needed")]
@@ -85,5 +89,5 @@ pub enum ShapeError {
 
 /// A coordinate, with an exponent where it lies so far off that its digits would fill the page.
 fn place(value: f64) -> String {
-    if value.abs() < 1e6 { format!("{value:.3}") } else { format!("{value:.3e}") }
+    if value.abs() < 1e6 { fixed(value, 3) } else { scientific(value) }
 }

@@ -96,7 +96,7 @@ pub struct Jet<const D: usize> {
 pub fn quadratic_fit<const D: usize>(grid: Grid<D>, values: &[f64], radius: f64) -> Vec<Jet<D>> {
     assert_eq!(values.len(), grid.node_count());
     let reach = radius.floor() as usize;
-    assert!(2 * reach <= grid.cells(), "the stencil of radius {radius} does not fit {} cells", grid.cells());
+    assert!(2 * reach <= grid.cells(), "the stencil does not fit {} cells", grid.cells());
     let stencil = Stencil::<D>::new(radius);
     let strides: Vec<isize> =
         stencil.offsets.iter().map(|o| (0..D).map(|axis| o[axis] * grid.stride(axis) as isize).sum()).collect();

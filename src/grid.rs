@@ -96,7 +96,7 @@ impl<const D: usize> Grid<D> {
         let mut local = [0.0; D];
         for axis in 0..D {
             let scaled = point[axis] * self.cells as f64;
-            cell[axis] = (scaled.clamp(0.0, self.cells as f64) as usize).min(self.cells - 1);
+            cell[axis] = (scaled.max(0.0).min(self.cells as f64) as usize).min(self.cells - 1);
             local[axis] = scaled - cell[axis] as f64;
         }
         (cell, local)

@@ -5,6 +5,7 @@ use crate::grid::Grid;
 use crate::hypersurface::Loop;
 use crate::narrow::{Narrowest, narrowest};
 use crate::report::Report;
+use crate::words::fixed;
 use glam::DVec2;
 use std::fmt;
 
@@ -114,7 +115,7 @@ impl Pair {
             let missed = self.missed(DVec2::from(cover.at));
             let hint =
                 self.unresolved(level).map_or_else(String::new, |unresolved| format!(" {}", unresolved.sentence()));
-            return format!("Fits but {missed} was not reached: it is {:.1} cells away.{hint}", cover.max);
+            return format!("Fits but {missed} was not reached: it is {} cells away.{hint}", fixed(cover.max, 1));
         }
         if from.holes != to.holes {
             return format!(
@@ -126,10 +127,10 @@ impl Pair {
         }
         let fits = close && cover.max <= COVERED;
         if fits && report.measure > CRUMPLED || !fits && report.measure > 1.2 {
-            return format!("Crumpled (measure {:.2}). {}", report.measure, self.distances(report));
+            return format!("Crumpled (measure {}). {}", fixed(report.measure, 2), self.distances(report));
         }
         if fits && report.measure >= LEFT_OUT {
-            return format!("Fits: nowhere more than {:.2} cells off.", mismatch.max.max(cover.max));
+            return format!("Fits: nowhere more than {} cells off.", fixed(mismatch.max.max(cover.max), 2));
         }
         if let Some(unresolved) = self.unresolved(level) {
             return format!("Not resolved by this grid: {unresolved}. {}", self.distances(report));
@@ -141,9 +142,9 @@ impl Pair {
         let (mismatch, cover) = (&report.mismatch, &report.cover);
         if cover.max > mismatch.max {
             let missed = self.missed(DVec2::from(cover.at));
-            return format!("The largest distance is {:.2} cells: {missed} was not reached.", cover.max);
+            return format!("The largest distance is {} cells: {missed} was not reached.", fixed(cover.max, 2));
         }
-        format!("The largest distance is {:.2} cells, at {}.", mismatch.max, place(DVec2::from(mismatch.at)))
+        format!("The largest distance is {} cells, at {}.", fixed(mismatch.max, 2), place(DVec2::from(mismatch.at)))
     }
 
     /// What the point of the template's outline belongs to.
@@ -187,7 +188,7 @@ impl fmt::Display for Unresolved {
             write!(f, "the {shape} touches itself at {}", place(*at))?;
         } else {
             let part = if *is_gap { "gap" } else { "neck" };
-            write!(f, "the {shape}'s narrowest {part}, at {}, is {width:.1} cells wide", place(*at))?;
+            write!(f, "the {shape}'s narrowest {part}, at {}, is {} cells wide", place(*at), fixed(*width, 1))?;
         }
         match level {
             Some(level) => write!(f, "; a grid of {}² resolves it", Grid::<2>::of_level(*level).side()),
@@ -200,7 +201,7 @@ impl fmt::Display for Unresolved {
 }
 
 fn place(at: DVec2) -> String {
-    format!("({:.2}, {:.2})", at.x, at.y)
+    format!("({}, {})", fixed(at.x, 2), fixed(at.y, 2))
 }
 
 fn counted(count: usize, noun: &str) -> String {
@@ -209,9 +210,11 @@ fn counted(count: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
-fn capital(text: String) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+fn capital(mut text: String) -> String {
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    text
 }
 
 #[cfg(test)]

@@ -47,7 +47,7 @@ impl<'a, const D: usize> Cubic<'a, D> {
 
     fn evaluate(&self, point: &[f64; D]) -> (f64, [f64; D]) {
         let last = (self.grid.cells() - 2) as f64;
-        let lowest = point.map(|x| (x.floor().clamp(1.0, last) as usize) - 1);
+        let lowest = point.map(|x| (x.floor().max(1.0).min(last) as usize) - 1);
         let axes: [_; D] = std::array::from_fn(|k| cubic_weights(point[k] - (lowest[k] + 1) as f64));
         let (mut value, mut gradient) = (0.0, [0.0; D]);
         for corner in 0..1usize << (2 * D) {

@@ -91,7 +91,7 @@ fn between(a: Trial, b: Trial) -> f64 {
     let step = b.step - width * (b.slope + d2 - d1) / (b.slope - a.slope + 2.0 * d2);
     let (low, high) = (a.step.min(b.step), a.step.max(b.step));
     let margin = 0.1 * (high - low);
-    if step.is_finite() { step.clamp(low + margin, high - margin) } else { middle }
+    if step.is_finite() { step.max(low + margin).min(high - margin) } else { middle }
 }
 
 #[cfg(test)]

@@ -7,7 +7,6 @@ pub use points::Inverse;
 use crate::field::{interpolate, interpolate_derivative};
 use crate::grid::Grid;
 use crate::small::{apply, cofactor, determinant, dot};
-use std::collections::BTreeSet;
 
 /// Newton steps for one node, and the residual (in cells) below which it is found.
 const MAX_STEPS: usize = 50;
@@ -28,11 +27,11 @@ pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec
 fn smooth_folds<const D: usize>(grid: Grid<D>, mut displacement: Vec<f64>) -> Option<Vec<f64>> {
     for _ in 0..MAX_SWEEPS {
         let folded = nodes_of_folds(grid, &displacement);
-        if folded.is_empty() {
+        if !folded.contains(&true) {
             return Some(displacement);
         }
         let before = displacement.clone();
-        for node in folded {
+        for node in (0..grid.node_count()).filter(|&node| folded[node]) {
             let index = grid.node_index(node);
             let (mut sum, mut count) = ([0.0; D], 0.0);
             for (axis, &i) in index.iter().enumerate() {
@@ -55,10 +54,10 @@ fn smooth_folds<const D: usize>(grid: Grid<D>, mut displacement: Vec<f64>) -> Op
     None
 }
 
-/// The nodes of all cells with a determinant at some corner that is not positive.
-fn nodes_of_folds<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> BTreeSet<usize> {
+/// Whether each node belongs to a cell with a determinant at some corner that is not positive.
+fn nodes_of_folds<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Vec<bool> {
     let offsets = grid.corner_offsets();
-    let mut nodes = BTreeSet::new();
+    let mut nodes = vec![false; grid.node_count()];
     for cell in 0..grid.cell_count() {
         let base = grid.lowest_node(cell);
         let folds = (0..Grid::<D>::CORNERS).any(|corner| {
@@ -73,7 +72,7 @@ fn nodes_of_folds<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> BTreeS
             determinant(&jacobian) <= 0.0
         });
         if folds {
-            nodes.extend((0..Grid::<D>::CORNERS).map(|corner| base + offsets[corner]));
+            (0..Grid::<D>::CORNERS).for_each(|corner| nodes[base + offsets[corner]] = true);
         }
     }
     nodes

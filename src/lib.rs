@@ -68,6 +68,8 @@ pub mod metric;
 pub mod minimize;
 pub mod multigrid;
 pub mod narrow;
+mod numbers;
+mod order;
 pub mod prolongation;
 pub mod quadrature;
 pub mod ready;

@@ -111,7 +111,7 @@ pub(super) fn march<const D: usize>(grid: Grid<D>, signed: &mut [f64], seeds: &[
 fn upwind<const D: usize>(grid: Grid<D>, known: &[bool], signed: &[f64], node: usize) -> f64 {
     let index = grid.node_index(node);
     let side = 1f64.copysign(signed[node]);
-    // (d₁, b, c) for each axis with a known neighbour.
+    // (d₁, b, c) for each axis with a known neighbour, d₁ ascending.
     let mut axes = [(0.0, 0.0, 0.0); D];
     let mut count = 0;
     for axis in 0..D {
@@ -126,15 +126,19 @@ fn upwind<const D: usize>(grid: Grid<D>, known: &[bool], signed: &[f64], node: u
             .filter_map(|down| neighbour(down, 1).map(|value| (value, down)))
             .min_by(|left, right| left.0.total_cmp(&right.0));
         if let Some((first, down)) = nearest {
-            axes[count] = match neighbour(down, 2).filter(|&second| second <= first) {
+            let mut place = count;
+            while place > 0 && axes[place - 1].0 > first {
+                axes[place] = axes[place - 1];
+                place -= 1;
+            }
+            axes[place] = match neighbour(down, 2).filter(|&second| second <= first) {
                 Some(second) => (first, (4.0 * first - second) / 3.0, 1.5),
                 None => (first, first, 1.0),
             };
             count += 1;
         }
     }
-    let axes = &mut axes[..count];
-    axes.sort_unstable_by(|left, right| left.0.total_cmp(&right.0));
+    let axes = &axes[..count];
     let square = grid.spacing() * grid.spacing();
     for used in (1..=count).rev() {
         let [mut a, mut b, mut c] = [0.0, 0.0, -square];

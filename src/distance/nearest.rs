@@ -1,5 +1,6 @@
 //! The nearest of many segments, exactly.
 
+use crate::order::ascending;
 use glam::DVec2;
 
 /// A tree over consecutive runs of segments, each run bounded by a capsule: its chord and how far it strays from it.
@@ -98,21 +99,17 @@ impl Nearest {
 /// The segments with curves that lie near each other near each other in the list, along a Z-shaped curve through the
 /// plane: the runs of thousands of specks in the order of their rows would be as wide as the picture.
 fn neighbouring(segments: &[[DVec2; 2]]) -> Vec<[DVec2; 2]> {
-    let mut curves: Vec<(u64, std::ops::Range<usize>)> = Vec::new();
-    for (place, [start, _]) in segments.iter().enumerate() {
-        match curves.last_mut() {
-            Some((_, curve)) if segments[place - 1][1] == *start => curve.end = place + 1,
-            _ => curves.push((interleaved(*start), place..place + 1)),
-        }
-    }
-    curves.sort_by_key(|(code, _)| *code);
-    curves.into_iter().flat_map(|(_, curve)| segments[curve].iter().copied()).collect()
+    let curves: Vec<&[[DVec2; 2]]> = segments.chunk_by(|before, after| before[1] == after[0]).collect();
+    let codes: Vec<f64> = curves.iter().map(|curve| f64::from(interleaved(curve[0][0]))).collect();
+    let mut sorted = Vec::with_capacity(segments.len());
+    ascending(&codes).into_iter().for_each(|curve| sorted.extend_from_slice(curves[curve as usize]));
+    sorted
 }
 
 /// The bits of both coordinates by turns.
-fn interleaved(point: DVec2) -> u64 {
+fn interleaved(point: DVec2) -> u32 {
     let spread = |x: f64| {
-        let bits = (x.clamp(0.0, 1.0) * 65535.0) as u64;
+        let bits = (x.clamp(0.0, 1.0) * 65535.0) as u32;
         (0..16).fold(0, |code, k| code | (bits >> k & 1) << (2 * k))
     };
     spread(point.x) | spread(point.y) << 1

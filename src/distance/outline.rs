@@ -1,11 +1,11 @@
 //! The outline of what a set of contours encloses, whatever way they cross, touch or repeat themselves.
 
-use std::collections::HashSet;
-
 use glam::DVec2;
 
 use super::winding::{Edge, Region, Strips};
 use crate::error::ShapeError;
+use crate::numbers::Numbers;
+use crate::order::ascending;
 
 /// Points closer than this are one: coordinates are of order one and rounded to 1e-16, crossings to a little more.
 pub(super) const COINCIDENT: f64 = 1e-12;
@@ -55,10 +55,10 @@ pub(super) fn outline(contours: &[Vec<DVec2>]) -> Result<(Region, Vec<[DVec2; 2]
     let signs = signs(&strips, &pieces, contours.len())?;
     let mut segments = Vec::with_capacity(pieces.len());
     // Where contours share a stretch, the outline has it once.
-    let mut seen = HashSet::with_capacity(pieces.len());
+    let (mut places, mut seen) = (Numbers::default(), Numbers::default());
     for piece in &pieces {
         let [left, right] = piece.sides();
-        if strips.inside(&signs, left) != strips.inside(&signs, right) && seen.insert(piece.key()) {
+        if strips.inside(&signs, left) != strips.inside(&signs, right) && seen.is_new(piece.key(&mut places)) {
             segments.push([piece.a, piece.b]);
         }
         bounded(strips.scanned())?;
@@ -89,9 +89,10 @@ fn pieces(edges: &[Edge], cuts: Vec<(u32, f64)>) -> Vec<Edge> {
 }
 
 impl Edge {
-    /// The same for edges that coincide, whichever way they go.
-    fn key(&self) -> [[i64; 2]; 2] {
-        let [a, b] = [self.a, self.b].map(|p| p.to_array().map(|x| (x / (100.0 * COINCIDENT)).round() as i64));
+    /// The numbers of the ends, the same for edges that coincide, whichever way they go.
+    fn key(&self, places: &mut Numbers) -> [i64; 2] {
+        let rounded = |x: f64| (x / (100.0 * COINCIDENT)).round() as i64;
+        let [a, b] = [self.a, self.b].map(|p| i64::from(places.of(p.to_array().map(rounded))));
         [a.min(b), a.max(b)]
     }
 
@@ -177,7 +178,11 @@ fn contacts(edges: &[Edge], contours: &[Vec<DVec2>]) -> Result<Option<Vec<(u32, 
         cuts.len() <= 4 * MOST_CUTS && work <= MOST_WORK
     });
     let complete = cuts.len() <= 4 * MOST_CUTS && work <= MOST_WORK;
-    cuts.sort_unstable_by(|left, right| left.0.cmp(&right.0).then(left.1.total_cmp(&right.1)));
+    // By edges, and by parameters on each.
+    for key in [|cut: &(u32, f64)| cut.1, |cut: &(u32, f64)| f64::from(cut.0)] {
+        let order = ascending(&cuts.iter().map(key).collect::<Vec<_>>());
+        cuts = order.into_iter().map(|cut| cuts[cut as usize]).collect();
+    }
     cuts.dedup();
     if !complete || cuts.len() > MOST_CUTS {
         return Err(ShapeError::Tangled { most: MOST_CUTS / 2 });

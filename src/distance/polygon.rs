@@ -1,7 +1,5 @@
 //! The signed distance of what closed polygons enclose.
 
-use std::collections::HashSet;
-
 use glam::DVec2;
 
 use super::SignedDistance;
@@ -11,6 +9,7 @@ use super::winding::Region;
 use crate::error::ShapeError;
 use crate::grid::Grid;
 use crate::hypersurface::Hypersurface;
+use crate::numbers::Numbers;
 use std::sync::Arc;
 
 /// Pieces of an outline shorter than this, in cells, are joined: its true place is needed to a small part of a cell.
@@ -76,7 +75,8 @@ fn distances(grid: Grid<2>, segments: &[[DVec2; 2]], inside: &[bool]) -> Vec<f64
 
 /// Each contour once, wherever it starts and whichever way it goes: the same curve drawn twice is one curve.
 fn distinct(mut contours: Vec<Vec<DVec2>>) -> Vec<Vec<DVec2>> {
-    let mut seen = HashSet::with_capacity(contours.len());
+    // Numbers of points, and of their sequences: each is a sequence seen before and one more point.
+    let (mut places, mut sequences, mut seen) = (Numbers::default(), Numbers::default(), Numbers::default());
     contours.retain(|points| {
         let count = points.len();
         let first =
@@ -85,7 +85,11 @@ fn distinct(mut contours: Vec<Vec<DVec2>>) -> Vec<Vec<DVec2>> {
         let walk =
             |step: usize| (0..count).map(move |k| points[(first + k * step) % count].to_array().map(f64::to_bits));
         let (forth, back): (Vec<_>, Vec<_>) = (walk(1).collect(), walk(count - 1).collect());
-        seen.insert(forth.min(back))
+        let sequence = forth.min(back).into_iter().fold(-1, |before, point| {
+            let place = i64::from(places.of(point.map(|bits| bits as i64)));
+            i64::from(sequences.of([before, place]))
+        });
+        seen.is_new([sequence, 0])
     });
     contours
 }

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use crate::order::ascending;
 use glam::DVec2;
 
 /// A step off the nodes in a direction that edges hardly have, the golden section's.
@@ -59,17 +60,17 @@ impl Region {
 
         let mut inside = vec![false; side * side];
         let mut winding = vec![0; self.signs.len()];
-        for (hits, nodes) in crossings.iter_mut().zip(inside.chunks_exact_mut(side)) {
-            hits.sort_unstable_by(|left, right| left.0.total_cmp(&right.0));
+        for (hits, nodes) in crossings.iter().zip(inside.chunks_exact_mut(side)) {
+            let order = ascending(&hits.iter().map(|hit| hit.0).collect::<Vec<_>>());
+            let mut hits = order.into_iter().map(|hit| hits[hit as usize]).peekable();
             winding.fill(0);
-            let (mut sum, mut next) = (0, 0);
+            let mut sum = 0;
             for (i, node) in nodes.iter_mut().enumerate() {
                 let x = i as f64 * spacing + ASIDE.x;
-                while let Some(&(_, contour, direction)) = hits.get(next).filter(|hit| hit.0 <= x) {
+                while let Some((_, contour, direction)) = hits.next_if(|hit| hit.0 <= x) {
                     let before: i32 = winding[contour];
                     winding[contour] += direction;
                     sum += self.signs[contour] * (i32::from(winding[contour] != 0) - i32::from(before != 0));
-                    next += 1;
                 }
                 *node = sum > 0;
             }

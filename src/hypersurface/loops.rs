@@ -1,8 +1,8 @@
 //! A curve in the plane as the closed loops it consists of.
 
 use super::Hypersurface;
+use crate::numbers::Numbers;
 use glam::DVec2;
-use std::collections::HashMap;
 
 /// Corners closer than this are one: where outlines cross, the same point comes out of several formulas.
 const COINCIDENT: f64 = 1e-10;
@@ -46,8 +46,8 @@ impl Hypersurface<2> {
     /// Segments joined at their ends, in their order where several would do.
     fn chains(&self) -> Vec<Vec<DVec2>> {
         let mut numbers = Numbers::default();
-        let places: Vec<u32> = self.points.iter().map(|&point| numbers.of(DVec2::from(point))).collect();
-        let mut at_place: Vec<Vec<u32>> = vec![Vec::new(); numbers.count as usize];
+        let places: Vec<u32> = self.points.iter().map(|&point| place(&mut numbers, DVec2::from(point))).collect();
+        let mut at_place: Vec<Vec<u32>> = vec![Vec::new(); numbers.len()];
         for (segment, ends) in self.simplices.iter().enumerate() {
             for end in ends {
                 at_place[places[*end as usize] as usize].push(segment as u32);
@@ -89,27 +89,12 @@ fn crosses(from: DVec2, a: DVec2, b: DVec2) -> bool {
     (a.y > from.y) != (b.y > from.y) && from.x < a.x + (from.y - a.y) / (b.y - a.y) * (b.x - a.x)
 }
 
-/// Numbers of places, the same for points that coincide.
-#[derive(Default)]
-struct Numbers {
-    of_key: HashMap<[i64; 2], u32>,
-    count: u32,
-}
-
-impl Numbers {
-    fn of(&mut self, point: DVec2) -> u32 {
-        let key = |x: f64| (x / (4.0 * COINCIDENT)).floor() as i64;
-        for dx in [0.0, -COINCIDENT, COINCIDENT] {
-            for dy in [0.0, -COINCIDENT, COINCIDENT] {
-                if let Some(&number) = self.of_key.get(&[key(point.x + dx), key(point.y + dy)]) {
-                    return number;
-                }
-            }
-        }
-        self.of_key.insert([key(point.x), key(point.y)], self.count);
-        self.count += 1;
-        self.count - 1
-    }
+/// The number of a place, the same for points that coincide.
+fn place(numbers: &mut Numbers, point: DVec2) -> u32 {
+    let key = |dx: f64, dy: f64| [point.x + dx, point.y + dy].map(|x| (x / (4.0 * COINCIDENT)).floor() as i64);
+    let around = [0.0, -COINCIDENT, COINCIDENT];
+    let known = around.iter().find_map(|&dx| around.iter().find_map(|&dy| numbers.get(key(dx, dy))));
+    known.unwrap_or_else(|| numbers.of(key(0.0, 0.0)))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::Hypersurface;
 use crate::grid::Grid;
-use std::collections::HashMap;
+use crate::numbers::Numbers;
 
 /// A Kuhn simplex goes from a cell's lowest corner to its highest along its edges; the order of the axes tells which.
 fn orders<const D: usize>() -> Vec<[usize; D]> {
@@ -24,7 +24,7 @@ pub(super) fn zero_set<const D: usize>(grid: Grid<D>, values: &[f64]) -> Hypersu
     assert_eq!(values.len(), grid.node_count(), "one value a node");
     let orders = orders::<D>();
     let offsets = grid.corner_offsets();
-    let mut zeros = Zeros { grid, values, points: Vec::new(), of_edge: HashMap::new() };
+    let mut zeros = Zeros { grid, values, points: Vec::new(), edges: Numbers::default() };
     let mut simplices = Vec::new();
     for cell in 0..grid.cell_count() {
         let base = grid.lowest_node(cell);
@@ -82,18 +82,19 @@ struct Zeros<'a, const D: usize> {
     grid: Grid<D>,
     values: &'a [f64],
     points: Vec<[f64; D]>,
-    of_edge: HashMap<(usize, usize), u32>,
+    /// Of the points, by the nodes of their edges.
+    edges: Numbers,
 }
 
 impl<const D: usize> Zeros<'_, D> {
     /// The number of the zero between two nodes, by linear interpolation.
     fn on_edge(&mut self, inside: usize, outside: usize) -> u32 {
-        let Self { grid, values, points, of_edge } = self;
-        *of_edge.entry((inside, outside)).or_insert_with(|| {
-            let (from, to) = (grid.position(outside), grid.position(inside));
-            let t = values[outside] / (values[outside] - values[inside]);
-            points.push(std::array::from_fn(|axis| from[axis] + t * (to[axis] - from[axis])));
-            points.len() as u32 - 1
-        })
+        let number = self.edges.of([inside as i64, outside as i64]);
+        if number as usize == self.points.len() {
+            let (from, to) = (self.grid.position(outside), self.grid.position(inside));
+            let t = self.values[outside] / (self.values[outside] - self.values[inside]);
+            self.points.push(std::array::from_fn(|axis| from[axis] + t * (to[axis] - from[axis])));
+        }
+        number
     }
 }

@@ -1,6 +1,7 @@
 //! The distance to the nearest of many simplices, exactly.
 
 use super::Hypersurface;
+use crate::order::ascending;
 
 /// Simplices that are tried one by one.
 const LEAF: usize = 4;
@@ -51,9 +52,10 @@ impl<'a, const D: usize> Tree<'a, D> {
             let extent = |axis: usize| high[axis] - low[axis];
             let longest = (0..D).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
             let half = count / 2;
-            self.order[first..first + count].select_nth_unstable_by(half, |&a, &b| {
-                centres[a as usize][longest].total_cmp(&centres[b as usize][longest])
-            });
+            let part = &mut self.order[first..first + count];
+            let places: Vec<f64> = part.iter().map(|&simplex| centres[simplex as usize][longest]).collect();
+            let sorted: Vec<u32> = ascending(&places).into_iter().map(|place| part[place as usize]).collect();
+            part.copy_from_slice(&sorted);
             self.add(centres, first, half);
             self.boxes[place].second = self.boxes.len() as u32;
             self.add(centres, first + half, count - half);

@@ -3,9 +3,11 @@
 use crate::distance::SignedDistance;
 use crate::grid::Grid;
 use crate::small::{Matrix, apply, identity};
+use glam::DVec2;
 
-/// Rotations tried in the plane, besides none: every 10°.
+/// Rotations tried in the plane: every 10°, whose cosine and sine these are.
 const ANGLES: usize = 36;
+const STEP: DVec2 = DVec2::new(0.984_807_753_012_208_1, 0.173_648_177_666_930_35);
 /// Rotations tried in space, besides none.
 const ROTATIONS: usize = 120;
 
@@ -71,9 +73,9 @@ fn rotations<const D: usize>() -> Vec<Matrix<f64, D>> {
     const PSI: f64 = 1.533_751_168_755_204_3;
     let mut rotations = vec![identity()];
     if D == 2 {
-        rotations.extend((1..ANGLES).map(|k| {
-            let (sin, cos) = (TAU * k as f64 / ANGLES as f64).sin_cos();
-            let entries = [cos, -sin, sin, cos];
+        let turns = std::iter::successors(Some(STEP), |turn| Some(turn.rotate(STEP)));
+        rotations.extend(turns.take(ANGLES - 1).map(|turn| {
+            let entries = [turn.x, -turn.y, turn.y, turn.x];
             std::array::from_fn(|i| std::array::from_fn(|j| entries[2 * i + j]))
         }));
         return rotations;

@@ -61,6 +61,7 @@ pub mod distance;
 pub mod energy;
 pub mod error;
 pub mod field;
+mod fourier;
 pub mod grid;
 pub mod hypersurface;
 pub mod inverse;

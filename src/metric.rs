@@ -1,10 +1,6 @@
 //! The Sobolev metric, inverted exactly by cosine transforms.
 
-use rustfft::algorithm::Radix4;
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftDirection};
-use std::f64::consts::PI;
-
+use crate::fourier::{Complex, transform, turns};
 use crate::grid::Grid;
 
 /// The inner product ⟨u, v⟩ = ∫ u·v + β²/2 ∇u:∇v on multilinear nodal fields, natural boundary.
@@ -16,12 +12,14 @@ use crate::grid::Grid;
 /// exactly.  Source: the paper's (1 − β²/2 Δ)⁻¹.
 pub struct SobolevMetric<const D: usize> {
     grid: Grid<D>,
-    transform: Radix4<f64>,
-    line: Vec<Complex<f64>>,
-    scratch: Vec<Complex<f64>>,
+    /// exp(−iπk/n).
+    turns: Vec<Complex>,
+    /// A line of the field, made even.
+    line: Vec<Complex>,
+    scratch: Vec<Complex>,
     /// A field as complex numbers, two components at once.
-    field: Vec<Complex<f64>>,
-    turned: Vec<Complex<f64>>,
+    field: Vec<Complex>,
+    turned: Vec<Complex>,
     mass: Vec<f64>,
     stiffness: Vec<f64>,
 }
@@ -32,18 +30,17 @@ impl<const D: usize> SobolevMetric<D> {
     pub fn new(grid: Grid<D>) -> Self {
         let n = grid.cells();
         assert!(n.is_power_of_two(), "the cosine transform needs 2^l cells");
-        let transform = Radix4::new(2 * n, FftDirection::Forward);
-        let zero = Complex::new(0.0, 0.0);
-        let cosines = (0..=n).map(|k| (PI * k as f64 / n as f64).cos());
+        let turns = turns(n);
+        let cosines = turns.iter().map(|turn| turn.re).chain([-1.0]);
         Self {
             grid,
-            line: vec![zero; 2 * n],
-            scratch: vec![zero; transform.get_inplace_scratch_len()],
-            transform,
-            field: vec![zero; grid.node_count()],
-            turned: vec![zero; grid.node_count()],
+            line: vec![Complex::default(); 2 * n],
+            scratch: vec![Complex::default(); 2 * n],
+            field: vec![Complex::default(); grid.node_count()],
+            turned: vec![Complex::default(); grid.node_count()],
             mass: cosines.clone().map(|c| (2.0 + c) / (3.0 * n as f64)).collect(),
             stiffness: cosines.map(|c| (2.0 - 2.0 * c) * n as f64).collect(),
+            turns,
         }
     }
 
@@ -75,7 +72,8 @@ impl<const D: usize> SobolevMetric<D> {
                 let mass: f64 = index.iter().map(|&i| self.mass[i]).product();
                 let stiffness: f64 =
                     (0..D).map(|axis| self.stiffness[index[axis]] * mass / self.mass[index[axis]]).sum();
-                *c *= scale / (mass + 0.5 * beta * beta * stiffness);
+                let factor = scale / (mass + 0.5 * beta * beta * stiffness);
+                *c = Complex::new(factor * c.re, factor * c.im);
             }
             for _ in 0..D {
                 self.transform_and_turn();
@@ -100,7 +98,7 @@ impl<const D: usize> SobolevMetric<D> {
             for k in 1..n {
                 self.line[2 * n - k] = values[k];
             }
-            self.transform.process_with_scratch(&mut self.line, &mut self.scratch);
+            transform(&self.turns, &mut self.line, &mut self.scratch);
             for k in 0..side {
                 self.turned[k * rows + row] = self.line[k];
             }

@@ -22,10 +22,9 @@ use glam::DVec2;
 use js_sys::{Array, Float64Array, Object, Promise, Reflect};
 use queue::{Queue, promise};
 use read::{numbers, property, snapshot, whole, wrong};
-use serde::Serialize;
 use settings::Chosen;
 use shape::read_shape;
-use status::{Evaluation, Inspection, Status};
+use status::{evaluation, inspection, status};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -205,7 +204,7 @@ impl State {
         self.source = source;
         self.pair = None;
         self.extract_curves();
-        self.status()
+        Ok(self.status())
     }
 
     async fn step(&mut self, iterations: usize) -> Result<JsValue, JsError> {
@@ -215,7 +214,7 @@ impl State {
             }
             self.search.step().await;
         }
-        self.status()
+        Ok(self.status())
     }
 
     fn evaluate(&mut self, deformation: &[f64]) -> Result<JsValue, JsError> {
@@ -227,7 +226,7 @@ impl State {
         let displacement: Vec<f64> = deformation.iter().zip(positions).map(|(y, x)| y - x).collect();
         let mut gradient = vec![0.0; displacement.len()];
         let evaluated = ready(self.search.evaluate(&displacement, &mut gradient));
-        to_js(&Evaluation::new(&evaluated, gradient))
+        Ok(evaluation(&evaluated, gradient))
     }
 
     fn curves(&mut self) -> JsValue {
@@ -267,7 +266,7 @@ impl State {
         self.curves = shapes.map(|shape| zero_set(shape.grid(), shape.values()));
     }
 
-    fn status(&mut self) -> Result<JsValue, JsError> {
+    fn status(&mut self) -> JsValue {
         self.update_curves();
         let report = self.outlines.report(self.search.displacement());
         let progress = self.search.progress();
@@ -275,7 +274,7 @@ impl State {
             let [reference, template] = self.search.shapes();
             self.pair.get_or_insert_with(|| Pair::new(reference, template)).verdict(progress.level, &report)
         });
-        to_js(&Status::new(&progress, &report, verdict))
+        status(&progress, &report, verdict)
     }
 }
 
@@ -288,18 +287,13 @@ pub fn inspect(
 ) -> Result<JsValue, JsError> {
     let source = Source::read(&reference, &template, &settings)?;
     let (settings, _, [reference, template]) = source.prepare()?;
-    to_js(&Inspection::new(Pair::new(&reference, &template).unresolved(settings.finest)))
+    Ok(inspection(Pair::new(&reference, &template).unresolved(settings.finest)))
 }
 
 /// Reports panics to the console with their message and place.
 #[wasm_bindgen(start)]
 pub fn start() {
     console_error_panic_hook::set_once();
-}
-
-fn to_js(value: &impl Serialize) -> Result<JsValue, JsError> {
-    let serializer = serde_wasm_bindgen::Serializer::new().serialize_missing_as_null(true);
-    value.serialize(&serializer).map_err(|error| JsError::new(&error.to_string()))
 }
 
 type Prepared = (Settings, Vec<Pin<2>>, [SignedDistance<2>; 2]);

@@ -2,6 +2,7 @@
 
 use js_sys::Promise;
 use std::cell::{Cell, RefCell};
+use std::pin::Pin;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, future_to_promise};
@@ -9,6 +10,9 @@ use wasm_bindgen_futures::{JsFuture, future_to_promise};
 const BUSY: &str = "a step or an update is under way; await its promise before asking for anything else";
 const FREED: &str = "this registration has been freed; create a new one";
 const BROKEN: &str = "an earlier call broke down, so this registration cannot go on; create a new one";
+
+/// In a box, and the work too: each kind of its own would bring all of the machinery of promises again.
+type Answer<'a> = Pin<Box<dyn Future<Output = Result<JsValue, JsError>> + 'a>>;
 
 /// Something that is worked on in turns.
 pub(super) struct Queue<T>(Rc<Shared<T>>);
@@ -35,6 +39,10 @@ impl<T: 'static> Queue<T> {
 
     /// Works on the state once all before are done.
     pub fn enqueue(&self, work: impl AsyncFnOnce(&mut T) -> Result<JsValue, JsError> + 'static) -> Promise {
+        self.enqueue_boxed(Box::new(|state| Box::pin(work(state))))
+    }
+
+    fn enqueue_boxed(&self, work: Box<dyn FnOnce(&mut T) -> Answer<'_>>) -> Promise {
         if self.0.closed.get() {
             return promise(async { Err(JsError::new(FREED)) });
         }
@@ -86,5 +94,9 @@ impl<T: 'static> Queue<T> {
 
 /// A promise of what a future gives.
 pub(super) fn promise(future: impl Future<Output = Result<JsValue, JsError>> + 'static) -> Promise {
+    promise_boxed(Box::pin(future))
+}
+
+fn promise_boxed(future: Answer<'static>) -> Promise {
     future_to_promise(async { future.await.map_err(JsValue::from) })
 }

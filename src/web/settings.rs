@@ -135,7 +135,7 @@ fn pair(low: impl Into<JsValue>, high: impl Into<JsValue>) -> JsValue {
     Array::of2(&low.into(), &high.into()).into()
 }
 
-fn put(object: &Object, key: &str, value: &JsValue) {
+pub(super) fn put(object: &Object, key: &str, value: &JsValue) {
     // Setting a property of a fresh plain object cannot fail.
     let _ = Reflect::set(object, &key.into(), value);
 }

@@ -136,7 +136,7 @@ test("under a sub-path of a plain static server everything works, the licences t
       .getByRole("link", { name: /^Licences/ })
       .click();
     await expect(page.getByRole("heading", { name: "Licences" })).toBeVisible();
-    for (const part of ["preact", "svgpath", "clipper2-ts", "uplot", "gifenc", "glam", "serde", "wide"]) {
+    for (const part of ["preact", "svgpath", "clipper2-ts", "uplot", "gifenc", "glam", "js-sys", "wide"]) {
       await expect(page.getByRole("heading", { name: new RegExp(`^${part} \\d`) })).toBeVisible();
     }
     await page.getByRole("link", { name: "Back to the page" }).click();

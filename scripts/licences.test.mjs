@@ -19,9 +19,9 @@ test("every crate that cargo links into the wasm is in it", () => {
   const tree = ["tree", "--locked", "--target", "wasm32-unknown-unknown", "--edges", "normal,no-proc-macro"];
   const lines = output("cargo", [...tree, "--prefix", "none", "--format", "{p}"]) ?? "";
   const crates = new Set(lines.split("\n").map((line) => line.split(" ")[0]));
-  expect(crates.size).toBeGreaterThan(20);
+  expect(crates.size).toBeGreaterThan(10);
   expect(names).toEqual(expect.arrayContaining([...crates]));
-  expect(names).not.toContain("serde_derive");
+  expect(names).not.toContain("thiserror-impl");
 });
 
 test("each part has its terms, readable as a page", () => {

@@ -34,7 +34,7 @@ pub fn number(value: f64) -> String {
 
 /// With so many digits behind the point.
 pub fn fixed(value: f64, decimals: u32) -> String {
-    let scaled = (value.abs() * 10_f64.powi(decimals as i32)).round();
+    let scaled = (value.abs() * 10_f64.powi(decimals as i32)).round_ties_even();
     if scaled >= 1e15 || !value.is_finite() {
         return number(value);
     }
@@ -82,7 +82,7 @@ fn leading(value: f64, count: u32) -> Option<(u64, i32)> {
     loop {
         // In two factors, since 10³²³ is no number.
         let half = power / 2;
-        let digits = (value * 10_f64.powi(-half) * 10_f64.powi(half - power)).round() as u64;
+        let digits = (value * 10_f64.powi(-half) * 10_f64.powi(half - power)).round_ties_even() as u64;
         if digits >= 10_u64.pow(count) {
             power += 1;
         } else if digits < 10_u64.pow(count - 1) {
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn digits_behind_the_point_are_rounded_and_nothing_is_negative_zero() {
         assert_eq!([0.996, -0.04, 12.0, 1e20].map(|value| fixed(value, 1)), ["1.0", "0.0", "12.0", "1e20"]);
-        assert_eq!([0.5, 99.6].map(|value| fixed(value, 0)), ["1", "100"]);
+        assert_eq!([0.5, 99.6].map(|value| fixed(value, 0)), ["0", "100"]);
         assert_eq!([9.9996, 0.0, f64::INFINITY].map(scientific), ["1.000e1", "0", "inf"]);
     }
 

@@ -1,17 +1,18 @@
 /** Draws a match in every way but the deformed grid. Knows plain arrays only; fetched when first asked for. */
 
-import { curvatures, nearest, stretch } from "./along";
 import { type Frame, trace } from "./canvas";
 import { strokeColoured } from "./curve";
-import { atNodes, bendingAt, stretchingAt, volumeDensities } from "./density";
-import { bandWeights, distances, logDeterminants, mismatches, thinned, valueAt } from "./field";
+import { valueAt } from "./field";
+import { scaleOf } from "./limits";
+import { bothCurvatures, costs, fieldOf, stretches } from "./measured";
 import { movedGrid, movedLoops } from "./morph";
 import type { View } from "./names";
 import type { Theme } from "./palette";
-import { CURVATURE_CELLS } from "./probe";
 import { carried, type Picture, pulledBack, type Raster, sample } from "./raster";
 import type { Match } from "./result";
-import { amounts, clipped, css, factors, place, quantile, roundUp, type Scale, signed } from "./scales";
+import { css, place, type Scale } from "./scales";
+
+export { histogram, limitOf, markedScale, scaleOf } from "./limits";
 
 export type ViewScene = {
   readonly match: Match;
@@ -25,113 +26,6 @@ export type ViewScene = {
 
 /** Pixels computed a CSS pixel, at most. */
 const FINENESS = 2;
-
-/** Fields with a distance at each node are costly, and smooth: no more cells than this. */
-const FIELD_CELLS = 64;
-
-/** What the match needs the view's scale to reach: doublings, cells or 1/length. 1 where nothing is to choose. */
-export function limitOf(view: View, match: Match, bandwidth: number): number {
-  const values = valuesOf(view, match, bandwidth);
-  switch (view) {
-    case "stretch":
-    case "determinant":
-      return doublings(values.map((value) => Math.abs(Math.log2(value))));
-    case "curvature":
-      return roundUp(quantile(values.map(Math.abs), 0.98));
-    case "mismatch":
-      return roundUp(quantile(values, 0.995));
-    case "stretching":
-    case "bending":
-    case "volume":
-      return roundUp(quantile(values, 0.98));
-    default:
-      return 1;
-  }
-}
-
-/** Everything that the view's scale is for. */
-function valuesOf(view: View, match: Match, bandwidth: number): Float64Array {
-  switch (view) {
-    case "stretch":
-      return joined(stretches(match));
-    case "determinant":
-      return logDeterminants(mapOf(match)).map((log) => 2 ** log);
-    case "curvature": {
-      const both = bothCurvatures(match);
-      return joined([...both.reference, ...both.partner]);
-    }
-    case "mismatch":
-      return mismatchWithin(match, bandwidth);
-    case "stretching":
-    case "bending":
-      return joined(costs(view, match, 1));
-    case "volume":
-      return volumeDensities(mapOf(match));
-    default:
-      return new Float64Array(0);
-  }
-}
-
-function joined(parts: readonly Float64Array[]): Float64Array {
-  return Float64Array.from(parts.flatMap((values) => [...values]));
-}
-
-/** The scale with its ends marked where the match has values beyond them, which the ends' colours stand for. */
-export function markedScale(view: View, match: Match, bandwidth: number, limit: number, dark: boolean): Scale | null {
-  const scale = scaleOf(view, limit, dark);
-  if (!scale) return null;
-  let [least, most] = [0, 0];
-  for (const value of valuesOf(view, match, bandwidth)) {
-    const part = scale.part(value);
-    if (part < least) least = part;
-    if (part > most) most = part;
-  }
-  return clipped(scale, least, most);
-}
-
-/** A quarter of a doubling at least: smaller changes cannot be told from noise. */
-function doublings(sizes: ArrayLike<number>): number {
-  const reached = quantile(sizes, 0.98);
-  return [0.25, 0.5, 1, 2, 3, 4, 6].find((step) => step >= reached) ?? 8;
-}
-
-export function scaleOf(view: View, limit: number, dark: boolean): Scale | null {
-  switch (view) {
-    case "stretch":
-      return factors("Length after / before", dark, limit);
-    case "determinant":
-      return factors("Area after / before", dark, limit);
-    case "curvature":
-      return signed("Curvature", "per box side", dark, limit);
-    case "band":
-      return amounts("Weight η of the shell", "", 1);
-    case "mismatch":
-      return amounts("|d₂∘φ − d₁|", "cells", limit);
-    case "stretching":
-      return amounts("Stretching energy, W", "", limit);
-    case "bending":
-      return amounts("Bending energy, |S|²", "per side²", limit);
-    case "volume":
-      return amounts("Volume energy, W", "", limit);
-    default:
-      return null;
-  }
-}
-
-/** Parts of the matched curve, by length of the reference, in even bins of the stretch's scale. */
-export function histogram(match: Match, scale: Scale, bins: number): number[] {
-  const out = new Array<number>(bins).fill(0);
-  const values = stretches(match);
-  let whole = 0;
-  match.curves.reference.forEach((loop, l) => {
-    for (let i = 0, j = loop.length - 2; i < loop.length; j = i, i += 2) {
-      const length = Math.hypot(loop[i] - loop[j], loop[i + 1] - loop[j + 1]);
-      out[place(scale.part((values[l][i / 2] + values[l][j / 2]) / 2), bins)] += length;
-      whole += length;
-    }
-  });
-  return out.map((length) => length / whole);
-}
 
 export function drawView(
   view: View,
@@ -177,13 +71,6 @@ export function alongOf(view: AlongView, { match, morph }: ViewScene, scale: Sca
     return { own: placed(reference), moving: placed(partner) };
   }
   return { own: null, moving: placed(view === "stretch" ? stretches(match, morph) : costs(view, match, morph)) };
-}
-
-/** What the curve costs at each of its points. The target's curvature is met at the end of the way only. */
-function costs(view: "stretching" | "bending", match: Match, morph: number): Float64Array[] {
-  if (view === "stretching") return stretches(match, morph).map((values) => values.map(stretchingAt));
-  const { reference, partner } = bothCurvatures(match);
-  return stretches(match).map((values, l) => values.map((s, i) => bendingAt(s, reference[l][i], partner[l][i])));
 }
 
 function outline(
@@ -275,62 +162,4 @@ export function pixelsOf(view: View, frame: Frame, dark: boolean, scene: ViewSce
   const canvas = new OffscreenCanvas(width, height);
   canvas.getContext("2d")?.putImageData(new ImageData(data, width, height), 0, 0);
   return canvas;
-}
-
-function mismatchWithin(match: Match, bandwidth: number): Float64Array {
-  const { values, d1 } = mismatchAt(match, 1, bandwidth);
-  return values.filter((_, node) => Math.abs(d1[node]) < bandwidth);
-}
-
-type Field = { readonly cells: number; readonly values: Float64Array; readonly d1?: Float64Array };
-
-/** Nodal values on the undeformed grid, in the units of the view's scale. */
-function fieldOf(view: View, { match, morph, bandwidth }: ViewScene): Field {
-  const map = movedGrid(match, morph);
-  if (view === "determinant") return { cells: map.cells, values: logDeterminants(map).map((log) => 2 ** log) };
-  if (view === "mismatch") return mismatchAt(match, morph, bandwidth);
-  if (view === "volume") return { cells: map.cells, values: atNodes(volumeDensities(map), map.cells) };
-  const cells = Math.min(map.cells, FIELD_CELLS);
-  return { cells, values: bandWeights(distances(match.curves.reference, cells), bandwidth) };
-}
-
-function mismatchAt(match: Match, morph: number, bandwidth: number): Required<Field> {
-  const map = thinned(movedGrid(match, morph), FIELD_CELLS);
-  const d1 = distances(match.curves.reference, map.cells);
-  const lengths = mismatches(map, match.curves.template, d1, bandwidth);
-  return { cells: map.cells, values: lengths.map((length) => length * 2 ** match.level), d1 };
-}
-
-export function mapOf(match: Match) {
-  return { cells: 2 ** match.level, deformation: match.deformation };
-}
-
-function stretches(match: Match, morph = 1): Float64Array[] {
-  const moves = movedLoops(match, morph);
-  return match.curves.reference.map((loop, l) => {
-    const moved = moves[l];
-    return Float64Array.from({ length: loop.length / 2 }, (_, i) => stretch(loop, moved, i));
-  });
-}
-
-type Curvatures = { readonly reference: readonly Float64Array[]; readonly partner: readonly Float64Array[] };
-const known = new WeakMap<object, Curvatures>();
-
-/** At every point of the reference, and of the template at the place nearest to its partner. */
-export function bothCurvatures(match: Match): Curvatures {
-  const before = known.get(match.deformation);
-  if (before) return before;
-  const { reference, template, matched } = match.curves;
-  const reach = CURVATURE_CELLS / 2 ** match.level;
-  const own = reference.map((loop) => curvatures(loop, reach));
-  const theirs = template.map((loop) => curvatures(loop, reach));
-  const partner = matched.map((loop) =>
-    Float64Array.from({ length: loop.length / 2 }, (_, i) => {
-      const at = nearest(template, loop[2 * i], loop[2 * i + 1]);
-      return at ? theirs[at.loop][at.point] : Number.NaN;
-    }),
-  );
-  const both = { reference: own, partner };
-  known.set(match.deformation, both);
-  return both;
 }

@@ -1,6 +1,7 @@
 /** A result belongs to what it was computed from: no door out of the page pairs it with anything else. */
 
 import { readFileSync } from "node:fs";
+import { AxeBuilder } from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
 import { button, choose, finished, picture, result, surface, value } from "./handles";
 
@@ -84,3 +85,12 @@ test("with changed shapes there is nothing to save but those, until they are mat
   const { name, text } = await save(page, "Everything (JSON)");
   expect([name, JSON.parse(text).match]).toEqual(["thinshell-shapes.json", null]);
 });
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`a stale result can be read like any other (${colorScheme})`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await stale(page);
+    await expect(page.getByText("Computed with other settings")).toBeVisible();
+    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  });
+}

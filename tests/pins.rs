@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, circle, ellipse};
+use common::{Random, circle, ellipse, star};
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
 use thinshell::energy::{Functional, Pin};
@@ -101,6 +101,31 @@ fn a_pin_draws_its_point_to_where_it_is_tied() {
     let (ignored, tied) = (off(0.0), off(10.0));
     assert!(ignored > 0.2, "without weight it stays {ignored} away");
     assert!(tied < 0.02, "with weight it comes within {tied}");
+}
+
+#[test]
+fn a_pin_chooses_among_starts_that_are_equally_good() {
+    // A star onto itself: any tip may go to any other, and without a pin none moves.
+    let star = star([0.5; 2], 0.21, 5, 0.24, 0.0);
+    let settings = Settings { finest: 5, ..Settings::default() };
+    let grid = Grid::of_level(settings.finest);
+    let tip = |number: u32| -> [f64; 2] {
+        let angle = std::f64::consts::TAU * f64::from(number) / 5.0;
+        let radius = 0.21 * 1.24;
+        [0.5 + radius * angle.cos(), 0.5 + radius * angle.sin()]
+    };
+    for aim in 0..5 {
+        let [reference, template] =
+            [(), ()].map(|()| SignedDistance::from_loops(grid, &[star.clone()]).expect("a star"));
+        let pin = Pin { reference: tip(0), template: tip(aim) };
+        let mut search = ready(Search::with_pins(reference, template, settings, &[pin])).expect("valid settings");
+        while ready(search.step()).stop.is_none() {}
+        for number in 0..5 {
+            let ([x, y], [u, v]) = (image(&search, tip(number)), tip((number + aim) % 5));
+            let off = (x - u).hypot(y - v);
+            assert!(off < 0.02, "tied by {aim} tips, tip {number} ends {off} from its partner");
+        }
+    }
 }
 
 #[test]

@@ -10,6 +10,7 @@ import { Present } from "./controls/Present";
 import { Presets } from "./controls/Presets";
 import { Save } from "./controls/Save";
 import { SketchPanel } from "./controls/SketchPanel";
+import { SketchTools } from "./controls/SketchTools";
 import { Stage } from "./controls/Stage";
 import { Caption, StatusPanel } from "./controls/StatusPanel";
 import { Terms } from "./controls/Terms";
@@ -26,6 +27,7 @@ function App({ session }: { session: Session }) {
   return (
     <>
       <div class="sketches">
+        <SketchTools session={session} />
         <SketchPanel session={session} side="reference" />
         <SketchPanel session={session} side="template" />
       </div>

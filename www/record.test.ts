@@ -14,6 +14,7 @@ function record(): MatchRecord {
   return {
     reference,
     template,
+    pins: [{ reference: { x: 0.3, y: 1 / 3 }, template: { x: 0, y: 1 } }],
     settings: { bending: 0.3, finest: 5, align: "none" },
     match: {
       status: {

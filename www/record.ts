@@ -1,33 +1,33 @@
 /**
  * A match as a file: shapes, settings, φ and the report, as JSON that loads back to the same state to the bit.
  *
- * `{format: "thinshell", version: 1, reference: {loops}, template: {loops}, settings, match}`; a loop is a list of
- * points [x, y], domain units, y up. `match` is null, or `{report, deformation, curves}` with φ at the nodes of level
+ * `{format: "thinshell", version: 1, reference: {loops}, template: {loops}, pins, settings, match}`; a loop is a list of
+ * points [x, y], domain units, y up, and a pin `{reference: [x, y], template: [x, y]}`. `match` is null, or `{report, deformation, curves}` with φ at the nodes of level
  * `report.level`, x y x y …, x fastest.
  */
 
 import type { Curves, FrameReply, Status } from "./protocol";
 import { type Chosen, FIELDS, parseSetting, withSetting } from "./settings";
-import type { Loop, Shape } from "./shapes/geometry";
+import type { Loop, Point, Shape } from "./shapes/geometry";
 import { FORMAT } from "./shapes/import/format";
+import { isInBox, MOST_PINS, type Pin, type Shapes } from "./shapes/pins";
 
 export type SavedMatch = Pick<FrameReply, "status" | "deformation" | "curves">;
 
-export type MatchRecord = {
-  readonly reference: Shape;
-  readonly template: Shape;
+export type MatchRecord = Shapes & {
   readonly settings: Chosen;
   readonly match: SavedMatch | null;
 };
 
 const VERSION = 1;
 
-export function encodeRecord({ reference, template, settings, match }: MatchRecord): string {
+export function encodeRecord({ reference, template, pins, settings, match }: MatchRecord): string {
   return JSON.stringify({
     format: FORMAT,
     version: VERSION,
     reference: { loops: reference.map(pairs) },
     template: { loops: template.map(pairs) },
+    pins: pins.map((pin) => ({ reference: pair(pin.reference), template: pair(pin.template) })),
     // Defaults as well: another version of the page may have others.
     settings: Object.fromEntries(FIELDS.map((field) => [field.name, settings[field.name] ?? field.initial])),
     // What could not be read again is no result: its shapes and settings are enough to start it again.
@@ -54,6 +54,9 @@ export function decodeRecord(content: unknown): MatchRecord {
   }
   const reference = shape(object(record.reference, "reference").loops, "reference");
   const template = shape(object(record.template, "template").loops, "template");
+  // Files of before there were pins have none.
+  const pins = list(record.pins ?? [], "pins").map(pinFrom);
+  if (pins.length > MOST_PINS) throw damaged(`it has more than ${MOST_PINS} pins`);
   let settings: Chosen = {};
   const given = object(record.settings ?? {}, "settings");
   for (const [name, value] of Object.entries(given)) {
@@ -61,10 +64,21 @@ export function decodeRecord(content: unknown): MatchRecord {
     if (!field) throw new Error(`The file has a setting “${name}”, which this page does not know.`);
     settings = withSetting(settings, field, parseSetting(field, String(value)));
   }
-  return { reference, template, settings, match: record.match === null ? null : savedMatch(record.match) };
+  return { reference, template, pins, settings, match: record.match === null ? null : savedMatch(record.match) };
 }
 
-const ENERGIES = ["membrane", "bending", "mismatch", "volume", "total"];
+function pinFrom(content: unknown, index: number): Pin {
+  const pin = object(content, `pin ${index + 1}`);
+  const end = (side: "reference" | "template"): Point => {
+    const name = `pin ${index + 1}, ${side}`;
+    const [x, y, ...more] = list(pin[side], name).map((value) => number(value, name));
+    if (more.length > 0 || !isInBox(x) || !isInBox(y)) throw damaged(`${name} is no point of the box`);
+    return { x, y };
+  };
+  return { reference: end("reference"), template: end("template") };
+}
+
+const ENERGIES = ["membrane", "bending", "mismatch", "volume", "pins", "total"];
 /** What is measured on the curves: null where the grid does not see them. */
 const MEASURES = { mismatch: ["mean", "max"], cover: ["mean", "max"], stretch: ["mean", "deviation"] };
 
@@ -80,6 +94,7 @@ function savedMatch(content: unknown): SavedMatch {
   const level = whole(report.level, "match.report.level", FINEST);
   for (const name of ["iteration", "evaluations"]) whole(report[name], `match.report.${name}`);
   const energies = object(report.energies, "match.report.energies");
+  energies.pins ??= 0;
   for (const name of ENERGIES) number(energies[name], `match.report.energies.${name}`);
   // Files of before the cover was measured have none.
   const given = Object.entries(MEASURES).filter(([group]) => group in report || group !== "cover");
@@ -159,6 +174,10 @@ function isSound({ status, deformation, curves }: SavedMatch): boolean {
 
 function named<T>(names: readonly string[], value: (name: string) => T): Record<string, T> {
   return Object.fromEntries(names.map((name) => [name, value(name)]));
+}
+
+function pair({ x, y }: Point): [number, number] {
+  return [x, y];
 }
 
 function pairs(loop: Loop): [number, number][] {

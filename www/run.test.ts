@@ -1,8 +1,9 @@
 import { signal } from "@preact/signals";
 import { beforeAll, expect, test, vi } from "vitest";
 import type { FrameReply, Reply, Request, Status } from "./protocol";
-import { Run, type Shapes } from "./run";
+import { Run } from "./run";
 import type { Chosen } from "./settings";
+import type { Shapes } from "./shapes/pins";
 
 beforeAll(() => {
   vi.stubGlobal("requestAnimationFrame", () => 1);
@@ -49,7 +50,7 @@ const OTHER = [Float64Array.of(0.3, 0.4, 0.6, 0.4, 0.6, 0.6, 0.4, 0.6)];
 
 function stage() {
   const puppet = new Puppet();
-  const shapes = signal<Shapes>({ reference: SQUARE, template: SQUARE });
+  const shapes = signal<Shapes>({ reference: SQUARE, template: SQUARE, pins: [] });
   const settings = signal<Chosen>({ bending: 0.5 });
   const run = new Run(
     { module: () => Promise.resolve({} as WebAssembly.Module), spawn: () => puppet as unknown as Worker },
@@ -77,14 +78,22 @@ test("a setting that differs makes the result stale, and one set back makes it f
   expect([run.stale.value, run.upToDate]).toEqual([false, true]);
 });
 
-test("pins are settings like others, and none are as good as an empty list", () => {
-  const { puppet, settings, run } = stage();
+test("other pins make the result stale, and the solver is told of them", () => {
+  const { puppet, shapes, run } = stage();
+  const before = shapes.value;
   run.start();
   puppet.frame(true);
-  settings.value = { bending: 0.5, pins: new Float64Array(0) };
-  expect(run.stale.value).toBe(false);
-  settings.value = { bending: 0.5, pins: Float64Array.of(0.5, 0.5, 0.6, 0.5) };
-  expect(run.stale.value).toBe(true);
+  shapes.value = { ...before, pins: [] };
+  expect(run.outdated.value).toBeNull();
+  shapes.value = { ...before, pins: [{ reference: { x: 0.5, y: 0.4 }, template: { x: 0.6, y: 0.5 } }] };
+  expect([run.outdated.value, run.upToDate]).toEqual(["pins", false]);
+  run.start();
+  expect(puppet.told.at(-1)).toMatchObject({ kind: "start", settings: { pins: Float64Array.of(0.5, 0.4, 0.6, 0.5) } });
+  puppet.frame(true);
+  expect(run.outdated.value).toBeNull();
+  shapes.value = before;
+  run.settle();
+  expect(puppet.told.at(-1)).toMatchObject({ kind: "update", settings: { pins: new Float64Array(0) } });
 });
 
 test("a shape that differs takes the result away, and undone it is there again", () => {
@@ -102,7 +111,7 @@ test("until a new run has a frame, the old picture keeps its own inputs", () => 
   const { puppet, shapes, settings, run } = stage();
   run.start();
   puppet.frame(true);
-  shapes.value = { reference: OTHER, template: OTHER };
+  shapes.value = { reference: OTHER, template: OTHER, pins: [] };
   settings.value = { bending: 2 };
   run.start();
   expect(run.result.value).toMatchObject({ reference: SQUARE, settings: { bending: 0.5 } });

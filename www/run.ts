@@ -8,9 +8,8 @@ import type { FrameReply, Inspection, Iteration } from "./protocol";
 import type { SavedMatch } from "./record";
 import { type Chosen, coarsestLevel, complete, finestLevel, sameSettings } from "./settings";
 import type { Shape } from "./shapes/geometry";
+import { flat, type Pin, type Shapes } from "./shapes/pins";
 import { Solver } from "./solver";
-
-export type Shapes = { readonly reference: Shape; readonly template: Shape };
 
 /** What a match is computed from. */
 export type Inputs = Shapes & { readonly settings: Chosen };
@@ -66,12 +65,14 @@ export class Run {
     return last && (isRunning(this.state.value) || sameShapes(last, this.subject.shapes.value)) ? last : null;
   });
   readonly match = computed(() => this.result.value?.frame ?? null);
-  /** The result was computed with other settings than the present ones, and nothing is under way to change that. */
-  readonly stale = computed(() => {
+  /** What the result was computed with and is no longer the present one, while nothing is under way to change that. */
+  readonly outdated = computed<"settings" | "pins" | null>(() => {
     const result = this.result.value;
-    if (!result || isRunning(this.state.value)) return false;
-    return !sameSettings(result.settings, this.subject.settings.value);
+    if (!result || isRunning(this.state.value)) return null;
+    if (!sameSettings(result.settings, this.subject.settings.value)) return "settings";
+    return samePins(result.pins, this.subject.shapes.value.pins) ? null : "pins";
   });
+  readonly stale = computed(() => this.outdated.value !== null);
 
   constructor(engine: Engine, subject: Subject) {
     this.subject = subject;
@@ -119,7 +120,8 @@ export class Run {
 
   /** What has been chosen since the pause counts: then there is nothing to go on with. */
   resume(): void {
-    if (this.sent && !sameSettings(this.sent.settings, this.subject.settings.value)) this.start();
+    const { sent, present } = this;
+    if (sent && !(samePins(sent.pins, present.pins) && sameSettings(sent.settings, present.settings))) this.start();
     else if (this.advance("resume")) this.solver.resume();
   }
 
@@ -183,7 +185,7 @@ export class Run {
   }
 
   /** Asks about the shapes' narrow parts. */
-  inspect({ reference, template }: Shapes): void {
+  inspect({ reference, template }: Pick<Shapes, "reference" | "template">): void {
     this.solver.inspect(curves(reference), curves(template), { finest: finestLevel(this.subject.settings.value) });
   }
 
@@ -192,10 +194,10 @@ export class Run {
     this.subject.say(null);
     this.energies.value = [];
     this.advance("start");
-    const { reference, template } = this.begin(settings);
+    const { reference, template, pins } = this.begin(settings);
     // The last picture stays until the first frame of the new run, but not its numbers.
     this.fresh.value = false;
-    this.solver.start(reference, template, settings);
+    this.solver.start(reference, template, { ...settings, pins });
   }
 
   private get present(): Inputs {
@@ -273,19 +275,23 @@ export class Run {
   }
 
   private update(settings: Chosen): void {
-    const { reference, template } = this.begin(settings);
-    this.solver.update(reference, template, complete(settings));
+    const { reference, template, pins } = this.begin(settings);
+    this.solver.update(reference, template, { ...complete(settings), pins });
   }
 
   private begin(settings: Chosen) {
-    const { reference, template } = this.subject.shapes.value;
-    this.sent = { reference, template, settings };
-    return { reference: curves(reference), template: curves(template) };
+    const { reference, template, pins } = this.subject.shapes.value;
+    this.sent = { reference, template, pins, settings };
+    return { reference: curves(reference), template: curves(template), pins: flat(pins) };
   }
 }
 
 function sameShapes(a: Shapes, b: Shapes): boolean {
   return a.reference === b.reference && a.template === b.template;
+}
+
+function samePins(a: readonly Pin[], b: readonly Pin[]): boolean {
+  return a === b || (a.length === 0 && b.length === 0);
 }
 
 function curves(shape: Shape) {

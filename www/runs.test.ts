@@ -5,7 +5,7 @@ import { choiceWords, Runs } from "./runs";
 
 function result(numbers = 2): Result {
   const frame = { deformation: new Float64Array(numbers) } as FrameReply;
-  return { reference: [], template: [], settings: {}, frame };
+  return { reference: [], template: [], pins: [], settings: {}, frame };
 }
 
 test("the newest is first, and the oldest are let go", () => {

@@ -4,20 +4,20 @@ import { computed, effect, signal } from "@preact/signals";
 import type { Engine } from "./engine";
 import { begun, changed, type History, redone, undone } from "./history";
 import { isFollowing, isPaused } from "./phase";
+import { fetchKit, kit } from "./pins/kit";
 import type { MatchRecord } from "./record";
 import { type Result, Run } from "./run";
 import { Runs } from "./runs";
 import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
 import { fitted, type Shape } from "./shapes/geometry";
+import type { Pin, Shapes } from "./shapes/pins";
 import type { Preset } from "./shapes/presets";
 import { encode, type Opened, open, remember } from "./state";
 
 export type Side = "reference" | "template";
 
-/** The two shapes as they stand in the history. */
-export type Pair = {
-  readonly reference: Shape;
-  readonly template: Shape;
+/** The two shapes and their pins as they stand in the history. */
+export type Pair = Shapes & {
   /** The preset that both are, untouched. */
   readonly preset: string | null;
   /** Which of them are untouched examples: the first stroke replaces those. */
@@ -35,8 +35,8 @@ export class Session {
   private remembering: ReturnType<typeof setTimeout> | undefined;
   private inspecting: ReturnType<typeof setTimeout> | undefined;
 
-  /** The shape under the hand, not yet in the history. */
-  private readonly moving = signal<{ readonly side: Side; readonly shape: Shape } | null>(null);
+  /** The shapes while the hand moves one of them or a pin, not yet in the history. */
+  private readonly moving = signal<Shapes | null>(null);
   readonly settings = signal<Chosen>({});
   /** Whether the match follows the hand. */
   readonly live = signal(false);
@@ -57,17 +57,10 @@ export class Session {
     opened: Opened,
   ) {
     const { saved, problem } = opened;
-    this.history = signal<History<Pair>>(begun(pairFrom(saved.reference, saved.template, saved.preset)));
+    this.history = signal<History<Pair>>(begun(pairFrom(saved, saved.preset)));
     this.settings.value = saved.settings;
     this.problem.value = problem;
-    this.shapes = computed(() => {
-      const { reference, template } = this.history.value.present;
-      const moving = this.moving.value;
-      return {
-        reference: moving?.side === "reference" ? moving.shape : reference,
-        template: moving?.side === "template" ? moving.shape : template,
-      };
-    });
+    this.shapes = computed<Shapes>(() => this.moving.value ?? this.history.value.present);
     this.canUndo = computed(() => this.history.value.past.length > 0);
     this.canRedo = computed(() => this.history.value.future.length > 0);
     this.preset = computed(() => this.history.value.present.preset);
@@ -82,14 +75,20 @@ export class Session {
     this.rememberChanges(opened.remembered ? null : this.link());
     this.inspectChanges();
     this.keepRuns();
+    effect(() => {
+      if (this.shapes.value.pins.length === 0 || kit.peek()) return;
+      fetchKit().catch((error: Error) => {
+        this.problem.value = error.message;
+      });
+    });
   }
 
   /** Shows one of the matches so far, with the shapes and settings that it was computed from. */
   showAgain(result: Result): void {
-    const { reference, template } = this.history.value.present;
+    const { reference, template, pins } = this.history.value.present;
     this.settings.value = result.settings;
-    if (result.reference !== reference || result.template !== template)
-      this.commit(pairFrom(result.reference, result.template, null));
+    if (result.reference !== reference || result.template !== template || result.pins !== pins)
+      this.commit(pairFrom(result, null));
     this.morph.value = 1;
     this.run.restore(result.frame);
   }
@@ -111,7 +110,12 @@ export class Session {
     return this.run.result;
   }
 
-  /** Whether the match that is shown belongs to other settings than the present ones. */
+  /** What was other when the match that is shown was computed. */
+  get outdated() {
+    return this.run.outdated;
+  }
+
+  /** Whether the match that is shown belongs to other settings or pins than the present ones. */
   get stale() {
     return this.run.stale;
   }
@@ -134,10 +138,12 @@ export class Session {
 
   /** The shape while the hand is still moving. `at` is the time of the event. */
   previewShape(side: Side, shape: Shape, at: number): void {
-    // Before the page is drawn anew: then the solver works while the page draws.
-    if (this.live.value) this.follow(at);
-    this.moving.value = { side, shape };
-    if (!this.live.value) this.shapesChanged();
+    this.preview(edited(this.history.value.present, side, shape), at);
+  }
+
+  /** The pins while the hand moves one. */
+  previewPins(pins: readonly Pin[], at: number): void {
+    this.preview({ ...this.history.value.present, pins }, at);
   }
 
   /** Takes back what was previewed. */
@@ -151,20 +157,26 @@ export class Session {
     const { present } = this.history.value;
     this.commit({
       ...present,
-      [side]: shape,
+      ...edited(this.shapes.value, side, shape),
       preset: null,
       examples: { ...present.examples, [side]: false },
     });
   }
 
+  /** One step to undo. */
+  commitPins(pins: readonly Pin[]): void {
+    this.commit({ ...this.history.value.present, pins });
+  }
+
   /** Scales both shapes to a comfortable size and centres them. */
   fit(): void {
     const { present } = this.history.value;
-    this.commit({ ...present, reference: fitted(present.reference), template: fitted(present.template), preset: null });
+    const centred = (shapes: Shapes, side: Side) => edited(shapes, side, fitted(present[side]));
+    this.commit({ ...present, ...centred(centred(present, "reference"), "template"), preset: null });
   }
 
   choosePreset(preset: Preset): void {
-    this.commit(pairFrom(preset.reference, preset.template, preset.id));
+    this.commit(pairFrom({ ...preset, pins: [] }, preset.id));
     this.start();
   }
 
@@ -184,14 +196,14 @@ export class Session {
       return;
     }
     this.settings.value = saved.settings;
-    this.commit(pairFrom(saved.reference, saved.template, saved.preset));
+    this.commit(pairFrom(saved, saved.preset));
     if (!later) this.glance();
   }
 
   /** Shows a saved match as it was; the shapes before it are one undo away. */
-  restore({ reference, template, settings, match }: MatchRecord): void {
+  restore({ settings, match, ...shapes }: MatchRecord): void {
     this.settings.value = settings;
-    this.commit(pairFrom(reference, template, null));
+    this.commit(pairFrom(shapes, null));
     // Nothing is to be computed, not even where the match follows the hand.
     if (!match) this.run.drop();
     else {
@@ -265,13 +277,19 @@ export class Session {
 
   /** The address that brings back what is on the page now. */
   link(): string {
-    const { reference, template, preset } = this.history.value.present;
-    return encode({ reference, template, settings: this.settings.value, preset });
+    return encode({ ...this.history.value.present, settings: this.settings.value });
   }
 
   /** To be called when the match has been drawn. */
   drawn(): void {
     this.run.drawn(this.match.value);
+  }
+
+  private preview(shapes: Shapes, at: number): void {
+    // Before the page is drawn anew: then the solver works while the page draws.
+    if (this.live.value) this.follow(at);
+    this.moving.value = shapes;
+    if (!this.live.value) this.shapesChanged();
   }
 
   private commit(pair: Pair): void {
@@ -289,7 +307,8 @@ export class Session {
   }
 
   private get empty(): boolean {
-    return Object.values(this.shapes.value).some((shape) => shape.length === 0);
+    const { reference, template } = this.shapes.value;
+    return reference.length === 0 || template.length === 0;
   }
 
   /** Something moves under the hand. What has just been refused waits until the problem is gone. */
@@ -350,9 +369,16 @@ export class Session {
   }
 }
 
-function pairFrom(reference: Shape, template: Shape, preset: string | null): Pair {
+/** The shapes after one has been changed; its ends of the pins go along. */
+function edited(shapes: Shapes, side: Side, shape: Shape): Shapes {
+  const { pins } = shapes;
+  const carried = pins.length > 0 && kit.peek()?.carried(pins, side, shapes[side], shape);
+  return { ...shapes, [side]: shape, pins: carried || pins };
+}
+
+function pairFrom({ reference, template, pins }: Shapes, preset: string | null): Pair {
   const example = preset !== null;
-  return { reference, template, preset, examples: { reference: example, template: example } };
+  return { reference, template, pins, preset, examples: { reference: example, template: example } };
 }
 
 /** The setting fields whose value is not the default. */

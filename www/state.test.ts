@@ -5,7 +5,7 @@ import { decode, encode, fallback, open, type Saved } from "./state";
 
 const RING = PRESETS.find((preset) => preset.id === "ring");
 if (!RING) throw new Error("the ring is needed here");
-const DRAWN: Saved = { reference: RING.reference, template: RING.template, settings: {}, preset: null };
+const DRAWN: Saved = { reference: RING.reference, template: RING.template, pins: [], settings: {}, preset: null };
 
 describe("a link", () => {
   test("brings shapes back to 2 · 10⁻⁵, with every loop", () => {

@@ -4,16 +4,16 @@
  *
  * The text is a query string: `v=1&preset=star` for an untouched preset, else `v=1&reference=…&template=…`, then the
  * settings that differ from their defaults. A loop is base64url of little-endian 16-bit x y x y … in units of 2⁻¹⁵ of
- * the box from −0.5 to 1.5 (2 · 10⁻⁵ of the box at most off); loops are joined by dots.
+ * the box from −0.5 to 1.5 (2 · 10⁻⁵ of the box at most off); loops are joined by dots. Pins are one such list, x y on
+ * the reference and x y on the template.
  */
 
 import { type Chosen, FIELDS, parseSetting, withSetting } from "./settings";
 import type { Shape } from "./shapes/geometry";
+import { flat, isInBox, MOST_PINS, type Pin, pinsFrom, type Shapes } from "./shapes/pins";
 import { PRESETS } from "./shapes/presets";
 
-export type Saved = {
-  readonly reference: Shape;
-  readonly template: Shape;
+export type Saved = Shapes & {
   readonly settings: Chosen;
   /** The preset that the shapes are, untouched; else null. */
   readonly preset: string | null;
@@ -32,6 +32,7 @@ export function encode(saved: Saved): string {
     query.set("reference", encodeShape(saved.reference));
     query.set("template", encodeShape(saved.template));
   }
+  if (saved.pins.length > 0) query.set("pins", encodeShape([flat(saved.pins)]));
   for (const field of FIELDS) {
     const value = saved.settings[field.name];
     if (value !== undefined) query.set(field.name, String(value));
@@ -49,15 +50,17 @@ export function decode(text: string): Saved {
     const value = query.get(field.name);
     if (value !== null) settings = withSetting(settings, field, parseSetting(field, value));
   }
+  const pins = decodePins(query.get("pins") ?? "");
   const id = query.get("preset");
   if (id !== null) {
     const preset = PRESETS.find((candidate) => candidate.id === id);
     if (!preset) throw new Error(`there is no example called “${id}”`);
-    return { reference: preset.reference, template: preset.template, settings, preset: id };
+    return { reference: preset.reference, template: preset.template, pins, settings, preset: id };
   }
   return {
     reference: decodeShape(query.get("reference"), "reference"),
     template: decodeShape(query.get("template"), "template"),
+    pins,
     settings,
     preset: null,
   };
@@ -81,20 +84,28 @@ function encodeShape(shape: Shape): string {
 function decodeShape(text: string | null, name: string): Shape {
   if (text === null) throw new Error(`the ${name} is missing`);
   if (text === "") return [];
-  return text.split(".").map((part, index) => {
-    let binary: string;
-    try {
-      binary = atob(part.replaceAll("-", "+").replaceAll("_", "/"));
-    } catch {
-      throw new Error(`loop ${index} of the ${name} is damaged`);
-    }
-    if (binary.length === 0 || binary.length % 4 !== 0) throw new Error(`loop ${index} of the ${name} is cut off`);
-    const view = new DataView(Uint8Array.from(binary, (character) => character.charCodeAt(0)).buffer);
-    return Float64Array.from(
-      { length: binary.length / 2 },
-      (_, i) => LOW + (view.getUint16(2 * i, true) / STEPS) * SPAN,
-    );
-  });
+  return text.split(".").map((part, index) => decodeLoop(part, `loop ${index} of the ${name}`));
+}
+
+function decodeLoop(text: string, name: string): Float64Array {
+  let binary: string;
+  try {
+    binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+  } catch {
+    throw new Error(`${name} is damaged`);
+  }
+  if (binary.length === 0 || binary.length % 4 !== 0) throw new Error(`${name} is cut off`);
+  const view = new DataView(Uint8Array.from(binary, (character) => character.charCodeAt(0)).buffer);
+  return Float64Array.from({ length: binary.length / 2 }, (_, i) => LOW + (view.getUint16(2 * i, true) / STEPS) * SPAN);
+}
+
+function decodePins(text: string): readonly Pin[] {
+  if (text === "") return [];
+  const numbers = decodeLoop(text, "the list of pins");
+  if (numbers.length % 4 !== 0) throw new Error("the list of pins is cut off");
+  if (numbers.length > 4 * MOST_PINS) throw new Error(`there are more than ${MOST_PINS} pins`);
+  if (!numbers.every(isInBox)) throw new Error("a pin lies outside the box");
+  return pinsFrom(numbers);
 }
 
 export type Opened = {
@@ -132,7 +143,7 @@ export function open(hash: string, stored: string | null): Opened {
 
 export function fallback(): Saved {
   const [first] = PRESETS;
-  return { reference: first.reference, template: first.template, settings: {}, preset: first.id };
+  return { reference: first.reference, template: first.template, pins: [], settings: {}, preset: first.id };
 }
 
 function fromStorage(stored: string | null): Saved {

@@ -119,8 +119,8 @@ declare! {
         kind: Kind::Number(Range::new(0.0, 10.0, "wider than that it sees no detail").usual(0.0, 4.0).unit("cells")),
     }
     pin_weight: f64 = 1.0 => {
-        name: "pinWeight", symbol: "", group: Energies, on_page: false,
-        label: "Pins",
+        name: "pinWeight", symbol: "", group: Energies, on_page: true,
+        label: "Pin strength",
         help: "How strongly pins pull, in units of the fit. 0 ignores them.",
         kind: Kind::Number(weight(0.0, 1e6).usual(0.0, 100.0)),
     }

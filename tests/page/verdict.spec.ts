@@ -17,7 +17,7 @@ function slit(width: number): Float64Array {
 }
 
 async function open(page: Page, reference: Shape, template: Shape, finest: number): Promise<void> {
-  await page.goto(`./#${encode({ reference, template, settings: { finest }, preset: null })}&match=later`);
+  await page.goto(`./#${encode({ reference, template, pins: [], settings: { finest }, preset: null })}&match=later`);
 }
 
 test("a match that fits says so, and what it is measured by", async ({ page }) => {

@@ -45,8 +45,7 @@ function Entry({ session, run }: { session: Session; run: KeptRun }) {
       const frame = { left: 0, bottom: 0, scale: side, width: side, height: side, ratio: devicePixelRatio / 2 };
       const { status, deformation, curves } = run.frame;
       const match = { level: status.level, deformation, curves };
-      const { reference, template } = run;
-      drawResult(context, frame, theme(), { reference, template, match, morph: 1, bandwidth: bandwidth(run.settings) });
+      drawResult(context, frame, theme(), { ...run, match, morph: 1, bandwidth: bandwidth(run.settings) });
     };
     draw();
     const scheme = matchMedia("(prefers-color-scheme: dark)");

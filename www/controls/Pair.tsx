@@ -49,6 +49,7 @@ function Panel({ session, outcomes, names, index }: PairProperties & { readonly 
     return {
       reference: outcome?.reference ?? [],
       template: outcome?.template ?? [],
+      pins: outcome?.pins ?? [],
       match: match.value,
       morph: session.morph.value,
       bandwidth: bandwidth(outcome?.settings ?? {}),
@@ -125,6 +126,7 @@ function rowsOf({ frame: { status }, millis }: Outcome): readonly (readonly [str
     [rows.bending, energies.bending],
     [rows.mismatch, energies.mismatch],
     [rows.volume, energies.volume],
+    [rows.pins, energies.pins],
     [rows.largest, mismatch.max],
     [rows.mean, mismatch.mean],
     [rows.missed, cover.max],

@@ -6,7 +6,7 @@ import { bandwidth } from "../settings";
 import type { ResultScene } from "../view/result";
 import { unreached } from "../view/unreached";
 import { en } from "../words/en";
-import { resultState } from "../words/said";
+import { resultState, staleness } from "../words/said";
 import { MatchCanvas } from "./MatchCanvas";
 import { Readout } from "./Readout";
 import { guess, lazy, limitOf, past, view } from "./viewing";
@@ -27,11 +27,12 @@ export function ResultPanel({ session }: { session: Session }) {
   const label = useComputed(() => `Deformed grid and matched curve: ${state(session)}`);
   const drawn = useCallback(() => session.drawn(), [session]);
   const Legend = lazy.value?.legends.Legend;
+  const outdated = session.outdated.value;
   const showsPicture = view.value === "image" || view.value === "pullback";
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: dropping is one way more; the legend has a button for it
     <div
-      class={session.stale.value ? "shown stale" : "shown"}
+      class={outdated ? "shown stale" : "shown"}
       onDragOver={(event) => showsPicture && event.preventDefault()}
       onDrop={(event) => {
         const [file] = event.dataTransfer?.files ?? [];
@@ -46,7 +47,7 @@ export function ResultPanel({ session }: { session: Session }) {
         {guess.value?.of === session.match.value?.deformation && guess.value?.says}
       </p>
       {past.value && <p class="outdated past">{past.value.words}</p>}
-      {session.stale.value && !past.value && <p class="outdated">{en.result.outdated}</p>}
+      {outdated && !past.value && <p class="outdated">{en.result.outdated[outdated]}</p>}
       <MatchCanvas label={label} scene={scene} limit={limit} drawn={drawn} />
       {Legend && <Legend session={session} match={match} limit={limit} bandwidth={width.value} />}
       <Readout match={match} />
@@ -67,5 +68,5 @@ function matchOf(session: Session) {
 
 function state(session: Session): string {
   const status = session.match.value?.status ?? null;
-  return resultState({ phase: session.phase.value, status, stale: session.stale.value });
+  return resultState({ phase: session.phase.value, status, ...staleness(session) });
 }

@@ -43,8 +43,8 @@ export function Save({ session }: { session: Session }) {
       // A match with what it was computed from; a run that is still on its way is no result.
       const inputs = result && (match?.status.finished || format !== "json") ? result : present;
       const width = bandwidth(inputs.settings);
-      const { reference, template, settings } = inputs;
-      const saving = { reference, template, settings, bandwidth: width, match };
+      const { reference, template, pins, settings } = inputs;
+      const saving = { reference, template, pins, settings, bandwidth: width, match };
       const limit = limitOf(match && { ...match, level: match.status.level }, width);
       const drawn: Draw = (context, frame, colours, scene) => draw(context, frame, colours, scene, limit);
       const look = {

@@ -17,23 +17,30 @@ const PLAIN: ReadonlySet<string> = new Set(["membrane", "bending", "penalty", "v
 /** The model's parameters. Only those that differ from their defaults go to the solver. */
 export function SettingsPanel({ session }: { session: Session }) {
   const changed = changedFields(session.settings.value).length;
+  // Without pins their strength would be a riddle.
+  const pinned = session.shapes.value.pins.length > 0;
+  const fields = FIELDS.filter(({ name }) => name !== "pinWeight" || pinned);
   return (
     <>
       <div class="groups">
         <fieldset>
           <legend class="unseen">{later.settings.plain}</legend>
-          {FIELDS.filter(({ name }) => PLAIN.has(name)).map((field) => (
-            <Field key={field.name} session={session} field={field} />
-          ))}
+          {fields
+            .filter(({ name }) => PLAIN.has(name))
+            .map((field) => (
+              <Field key={field.name} session={session} field={field} />
+            ))}
         </fieldset>
         <details class="experts">
           <summary>{later.settings.experts}</summary>
           {GROUPS.map((group) => (
             <fieldset key={group}>
               <legend>{later.settings.groups[group]}</legend>
-              {FIELDS.filter((field) => field.group === group && !PLAIN.has(field.name)).map((field) => (
-                <Field key={field.name} session={session} field={field} />
-              ))}
+              {fields
+                .filter((field) => field.group === group && !PLAIN.has(field.name))
+                .map((field) => (
+                  <Field key={field.name} session={session} field={field} />
+                ))}
             </fieldset>
           ))}
         </details>

@@ -1,17 +1,19 @@
-import { computed, effect } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { isDone, isWorking } from "../phase";
+import { begun, chosen, kit } from "../pins/kit";
 import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
-import { Drawing } from "../shapes/draw";
-import { keyed } from "../shapes/edit";
 import { bounds } from "../shapes/geometry";
+import type { Hand } from "../tools/hand";
+import { tool } from "../tools/tool";
 import { nearest } from "../view/along";
 import { Surface } from "../view/canvas";
 import { arcLengthParts } from "../view/curve";
 import { probeAt } from "../view/probe";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
+import { handOf } from "./hand";
 import { ImportButton } from "./Import";
 import { guess, probe } from "./viewing";
 
@@ -23,64 +25,51 @@ const NAMES = { reference: "Reference", template: "Template" };
 /** One sketch surface with its heading and Clear button. */
 export function SketchPanel({ session, side }: { session: Session; side: Side }) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const drawing = useRef<Drawing>(null);
+  const hand = useRef<Hand>(null);
+  const ground = useRef<Surface>(null);
 
   useEffect(() => {
     if (!canvas.current) return;
-    const surface = new Surface(canvas.current, 0, (context, frame, colours) =>
+    const surface = new Surface(canvas.current, 0, (context, frame, colours) => {
       drawSketch(context, frame, colours, {
         side,
         shape: session.shapes.value[side],
-        stroke: hand.stroke,
-        grip: hand.grip,
-        pull: hand.pull,
         coloured: colouredLoops(session, side),
         tooClose: tooClose(session, side),
         mark: markOf(session, side),
-      }),
-    );
-    const hand = new Drawing({
-      canvas: canvas.current,
-      get pixelsPerUnit() {
-        return surface.pixelsPerUnit;
-      },
-      pointFrom: (event) => surface.pointFrom(event),
-      shape: () => session.shapes.value[side],
-      isExample: () => session.isExample(side),
-      preview: (shape, at) => session.previewShape(side, shape, at),
-      restore: () => session.restoreShape(),
-      commit: (shape) => session.commitShape(side, shape),
-      repaint: () => surface.invalidate(),
+      });
+      kit.peek()?.drawPins(context, frame, colours, session.shapes.value, side);
+      hand.current?.paint(context, frame, colours);
     });
-    drawing.current = hand;
+    ground.current = surface;
+    const stopHand = effect(() => {
+      const [wanted, fetched] = [tool.value, kit.value];
+      untracked(() => hand.current?.dispose());
+      hand.current = handOf(wanted, fetched, session, side, surface);
+      surface.invalidate();
+    });
     // Computed, so that this surface rests while only the other shape or the match moves.
     const shape = computed(() => session.shapes.value[side]);
+    const pins = computed(() => session.shapes.value.pins);
     const coloured = computed(() => colourOf(session, side));
     const mark = computed(() => markOf(session, side));
     const stop = effect(() => {
-      shape.value;
-      coloured.value;
-      mark.value;
-      session.settings.value;
+      for (const shown of [shape, pins, coloured, mark, begun, chosen, kit, session.settings]) shown.value;
       surface.invalidate();
     });
     return () => {
       stop();
-      hand.dispose();
+      stopHand();
+      hand.current?.dispose();
       surface.dispose();
     };
   }, [session, side]);
 
+  const repaint = () => ground.current?.invalidate();
+
   const press = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.key === "Escape") {
-      drawing.current?.cancel();
-      return;
-    }
-    const shape = keyed(session.shapes.value[side], event.key, event.shiftKey);
-    if (!shape) return;
-    event.preventDefault();
-    session.commitShape(side, shape);
+    if (hand.current?.key(event)) event.preventDefault();
   };
 
   const point = (event: PointerEvent) => {
@@ -119,9 +108,12 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
           ref={canvas}
           tabIndex={0}
           role="application"
+          id={`${side}-surface`}
           aria-label={`${NAMES[side]} shape`}
-          aria-describedby="keys"
+          aria-describedby={tool.value === "draw" ? "keys" : "pin-keys"}
           onKeyDown={press}
+          onFocus={repaint}
+          onBlur={repaint}
           onPointerMove={side === "reference" ? point : undefined}
           onPointerLeave={() => {
             probe.value = null;

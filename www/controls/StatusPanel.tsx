@@ -1,9 +1,10 @@
 import { isDone, isFollowing, isPaused, isWorking } from "../phase";
+import { kit } from "../pins/kit";
 import type { Session } from "../session";
 import { coarsestLevel, finestLevel } from "../settings";
 import { en } from "../words/en";
 import { decimals } from "../words/numbers";
-import { cells, gridName, headline } from "../words/said";
+import { cells, gridName, headline, staleness } from "../words/said";
 import { lazy, view } from "./viewing";
 
 /** What goes on, in words and as machine-readable values. */
@@ -12,11 +13,12 @@ export function StatusPanel({ session }: { session: Session }) {
   const status = session.fresh.value ? session.match.value?.status : undefined;
   const paused = isPaused(phase);
   const working = isWorking(phase) || isFollowing(phase);
+  const Report = kit.value?.Report;
   return (
     // Thirty updates a second would drown a screen reader: it hears the beginning and the end.
     <div class="status" role="status" aria-live={working && !paused && status ? "off" : "polite"}>
       <p class="headline">
-        {headline({ phase, loaded: session.loaded.value, status: status ?? null, stale: session.stale.value })}
+        {headline({ phase, loaded: session.loaded.value, status: status ?? null, ...staleness(session) })}
       </p>
       {status && (
         <dl class={session.stale.value ? "stale" : undefined}>
@@ -39,6 +41,7 @@ export function StatusPanel({ session }: { session: Session }) {
         </dl>
       )}
       {isDone(phase) && !session.stale.value && status?.verdict && status.stop && <p class="stop">{status.stop}</p>}
+      {isDone(phase) && Report && <Report session={session} />}
       {!working && <Resolution session={session} />}
     </div>
   );

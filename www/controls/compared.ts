@@ -2,21 +2,18 @@
 
 import { signal } from "@preact/signals";
 import type { Engine } from "../engine";
-import type { FrameReply, Settings } from "../protocol";
+import type { FrameReply } from "../protocol";
 import type { Chosen } from "../settings";
-import type { Shape } from "../shapes/geometry";
+import { flat, type Shapes } from "../shapes/pins";
 import { Solver } from "../solver";
 
-export type Outcome = {
-  readonly settings: Chosen;
-  readonly reference: Shape;
-  readonly template: Shape;
+export type Job = Shapes & { readonly settings: Chosen };
+
+export type Outcome = Job & {
   readonly frame: FrameReply;
   /** From the start to the last frame. */
   readonly millis?: number;
 };
-
-export type Job = { readonly reference: Shape; readonly template: Shape; readonly settings: Chosen };
 
 export class Comparison {
   private readonly solver: Solver;
@@ -68,12 +65,12 @@ export class Comparison {
       this.busy.value = false;
       return;
     }
-    const { reference, template, settings } = first.job;
+    const { reference, template, pins, settings } = first.job;
     this.begun = performance.now();
     this.solver.start(
       { kind: "curves", loops: [...reference] },
       { kind: "curves", loops: [...template] },
-      settings as Partial<Settings>,
+      { ...settings, pins: flat(pins) },
     );
   }
 

@@ -1,6 +1,7 @@
 /** How matches are looked at, the same for every canvas that shows one. */
 
 import { signal } from "@preact/signals";
+import { kit } from "../pins/kit";
 import type { Frame } from "../view/canvas";
 import type { View } from "../view/names";
 import type { Theme } from "../view/palette";
@@ -71,7 +72,7 @@ export function draw(
   scene: ResultScene,
   limit: number,
 ): void {
-  const { match, morph, bandwidth } = scene;
+  const { match, morph, bandwidth, pins } = scene;
   const [painter, image] = [lazy.peek(), picture.peek()];
   if (view.peek() === "grid" || !match || !painter || !image) drawResult(context, frame, colours, scene);
   else painter.views.drawView(view.peek(), context, frame, colours, { match, morph, bandwidth, limit, picture: image });
@@ -79,4 +80,8 @@ export function draw(
   if (match && over?.of === match.deformation) over.draw(context, frame, match, morph);
   const asked = guess.peek();
   if (match && asked?.of === match.deformation) asked.draw(context, frame);
+  // What is pulled back is seen where it was.
+  const shown = view.peek() === "pullback" ? 0 : morph;
+  const tools = kit.peek();
+  tools?.drawPinMarks(context, frame, colours, tools.pinMarks(pins, match, scene.reference, shown, colours.cycle));
 }

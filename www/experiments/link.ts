@@ -14,7 +14,7 @@ export function linkTo({ reference, template, settings }: ReturnType<Experiment[
     const value = settings[field.name];
     if (value !== undefined) chosen = withSetting(chosen, field, value as number | string | boolean);
   }
-  return encode({ reference: loops(reference), template: loops(template), settings: chosen, preset: null });
+  return encode({ reference: loops(reference), template: loops(template), pins: [], settings: chosen, preset: null });
 }
 
 function loops(shape: Shape): Float64Array[] {

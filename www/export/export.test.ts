@@ -50,7 +50,7 @@ function saving(): Saving & { match: NonNullable<Saving["match"]> } {
     verdict: null,
     approach: "",
   };
-  return { reference, template, settings: {}, bandwidth: 0.05, match: { status, deformation, curves } };
+  return { reference, template, pins: [], settings: {}, bandwidth: 0.05, match: { status, deformation, curves } };
 }
 
 test("the table has a line for every point of the reference, with what a doubling does to it", () => {

@@ -2,20 +2,18 @@
 
 import type { Curves, Status } from "../protocol";
 import type { Chosen } from "../settings";
-import type { Shape } from "../shapes/geometry";
+import type { Shapes } from "../shapes/pins";
 import type { Match, ResultScene } from "../view/result";
 import { unreached } from "../view/unreached";
 
-export type Saving = {
-  readonly reference: Shape;
-  readonly template: Shape;
+export type Saving = Shapes & {
   readonly settings: Chosen;
   readonly bandwidth: number;
   readonly match: { readonly status: Status; readonly deformation: Float64Array; readonly curves: Curves } | null;
 };
 
 /** As the result view shows it at a part `morph` of the deformation. */
-export function sceneAt({ reference, template, bandwidth, match }: Saving, morph: number): ResultScene {
+export function sceneAt({ reference, template, pins, bandwidth, match }: Saving, morph: number): ResultScene {
   const shown: Match | null = match && {
     level: match.status.level,
     deformation: match.deformation,
@@ -26,7 +24,7 @@ export function sceneAt({ reference, template, bandwidth, match }: Saving, morph
     shown && status?.finished && status.cover.max > 1
       ? unreached(shown.curves.template, shown.curves.matched, shown.level)
       : [];
-  return { reference, template, match: shown, morph, bandwidth, missed };
+  return { reference, template, pins, match: shown, morph, bandwidth, missed };
 }
 
 /** Says what is in the file, and on which grid. */

@@ -3,6 +3,7 @@
  * Reference, template and matched curve carry `data-side`, by which the import finds them again, to 10⁻⁶ of the box.
  */
 
+import { pinMarks } from "../pins/draw";
 import type { Loop, Shape } from "../shapes/geometry";
 import { arcLengthParts } from "../view/curve";
 import { movedGrid, movedLoops } from "../view/morph";
@@ -43,6 +44,7 @@ export function svg(scene: ResultScene, colours: Theme, legend = ""): string {
     ...reference.map((loop, l) => coloured(loop, parts[l], colours, match ? 3 : 5)),
     ...(match ? moved.map((loop, l) => coloured(loop, parts[l], colours, 6)) : []),
     "</g>",
+    pinsOf(scene, colours),
     match ? `<path data-side="matched" d="${closedPath(moved)}" ${inked(colours.ink, 0.2)}/>` : "",
     legend,
     "</svg>",
@@ -87,6 +89,21 @@ function gridPath({ match, morph }: ResultScene): string {
     path += `M${steps.map((k) => at(k, line)).join("L")}M${steps.map((k) => at(line, k)).join("L")}`;
   }
   return path;
+}
+
+/** Circles and lines, no paths: the import takes those for shapes. */
+function pinsOf({ pins, match, reference, morph }: ResultScene, colours: Theme): string {
+  if (pins.length === 0) return "";
+  const marks = pinMarks(pins, match, reference, morph, colours.cycle).map(({ at, aim, colour }, i) => {
+    const [x, y] = place(at.x, at.y).split(" ");
+    const [u, v] = place(aim.x, aim.y).split(" ");
+    return [
+      `<line x1="${x}" y1="${y}" x2="${u}" y2="${v}" stroke="${colour}" stroke-width="4"/>`,
+      `<circle cx="${x}" cy="${y}" r="16" fill="${colours.paper}" stroke="${colour}" stroke-width="5"/>`,
+      `<text x="${x}" y="${y}" dy="0.35em" fill="${colours.ink}">${i + 1}</text>`,
+    ].join("");
+  });
+  return `<g id="pins" font-family="sans-serif" font-size="20" font-weight="600" text-anchor="middle">${marks.join("")}</g>`;
 }
 
 /** One path for each stretch of equal colour. */

@@ -3,17 +3,19 @@
  * draws a new loop; two fingers move, turn and scale.
  */
 
-import { loopFromStroke, pulled, settled, withLoop } from "./edit";
+import type { Ground, Hand } from "../tools/hand";
+import type { Frame } from "../view/canvas";
+import type { Theme } from "../view/palette";
+import { drawPen } from "../view/sketch";
+import { keyed, loopFromStroke, pulled, settled, withLoop } from "./edit";
 import { centroid, type Nearest, nearestVertex, type Point, type Shape, shift, transformed } from "./geometry";
 
 /** Reach of the pointer in CSS pixels, around the curve and around the grip. */
 const REACH = { mouse: 8, pen: 10, touch: 16 };
 const GRIP_REACH = { mouse: 12, pen: 14, touch: 20 };
 
-export interface DrawingHost {
-  readonly canvas: HTMLCanvasElement;
-  readonly pixelsPerUnit: number;
-  pointFrom(event: { clientX: number; clientY: number }): Point;
+export interface DrawingHost extends Ground {
+  readonly side: "reference" | "template";
   shape(): Shape;
   /** An untouched example: the first stroke replaces it. */
   isExample(): boolean;
@@ -23,8 +25,6 @@ export interface DrawingHost {
   restore(): void;
   /** The shape when the hand lets go; one step to undo. */
   commit(shape: Shape): void;
-  /** Stroke, hover or grip have changed. */
-  repaint(): void;
 }
 
 type Gesture =
@@ -33,7 +33,7 @@ type Gesture =
   | { readonly kind: "move"; readonly start: Point; readonly before: Shape; moved: boolean }
   | { readonly kind: "pinch"; readonly start: readonly [Point, Point]; readonly before: Shape };
 
-export class Drawing {
+export class Drawing implements Hand {
   private readonly host: DrawingHost;
   private readonly fingers = new Map<number, Point>();
   private readonly listening = new AbortController();
@@ -49,6 +49,21 @@ export class Drawing {
     canvas.addEventListener("pointerup", (event) => this.release(event), options);
     canvas.addEventListener("pointercancel", (event) => this.abandon(event), options);
     canvas.addEventListener("pointerleave", () => this.hover(null), options);
+  }
+
+  /** Moves, turns, scales and clears the shape. */
+  key(event: KeyboardEvent): boolean {
+    if (event.key === "Escape") {
+      this.cancel();
+      return true;
+    }
+    const shape = keyed(this.host.shape(), event.key, event.shiftKey);
+    if (shape) this.host.commit(shape);
+    return shape !== null;
+  }
+
+  paint(context: CanvasRenderingContext2D, frame: Frame, colours: Theme): void {
+    drawPen(context, frame, colours, this.host.side, this);
   }
 
   get stroke(): readonly Point[] {
@@ -83,6 +98,8 @@ export class Drawing {
 
   dispose(): void {
     this.listening.abort();
+    this.cancel();
+    this.host.canvas.style.cursor = "";
   }
 
   private press(event: PointerEvent): void {

@@ -42,7 +42,13 @@ test("distances are to edges, negative inside", () => {
 });
 
 test("the nearest place is the nearer end of the nearest edge", () => {
-  expect(nearest([SQUARE], 0.9, 0.4)).toEqual({ loop: 0, point: 1, distance: expect.closeTo(0.1, 12) });
+  expect(nearest([SQUARE], 0.9, 0.4)).toEqual({
+    loop: 0,
+    point: 1,
+    edge: 1,
+    part: 0.4,
+    distance: expect.closeTo(0.1, 12),
+  });
   expect(nearest([SQUARE], 0.1, 0.9)?.point).toBe(3);
   expect(nearest([], 0, 0)).toBeNull();
 });

@@ -102,9 +102,17 @@ export function stretch(loop: Loop, moved: Loop, i: number): number {
   return span(moved) / span(loop);
 }
 
-export type Nearest = { readonly loop: number; readonly point: number; readonly distance: number };
+export type Nearest = {
+  readonly loop: number;
+  /** The nearer end of the edge. */
+  readonly point: number;
+  /** From point `edge` to the next, and the part 0…1 of the way. */
+  readonly edge: number;
+  readonly part: number;
+  readonly distance: number;
+};
 
-/** The nearest place on the closed polylines, on edge `point` to the next; null without any. */
+/** The nearest place on the closed polylines; null without any. */
 export function nearest(loops: readonly Loop[], x: number, y: number): Nearest | null {
   let best: Nearest | null = null;
   for (let l = 0; l < loops.length; l += 1) {
@@ -119,7 +127,9 @@ export function nearest(loops: readonly Loop[], x: number, y: number): Nearest |
       const square = u * u + v * v;
       const t = square > 0 ? Math.min(1, Math.max(0, (a * u + b * v) / square)) : 0;
       const distance = Math.hypot(a - t * u, b - t * v);
-      if (!best || distance < best.distance) best = { loop: l, point: (t < 0.5 ? j : i) / 2, distance };
+      if (!best || distance < best.distance) {
+        best = { loop: l, point: (t < 0.5 ? j : i) / 2, edge: j / 2, part: t, distance };
+      }
     }
   }
   return best;

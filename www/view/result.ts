@@ -21,9 +21,12 @@ export type Match = {
   };
 };
 
+type Point = { readonly x: number; readonly y: number };
+
 export type ResultScene = {
   readonly reference: readonly Float64Array[];
   readonly template: readonly Float64Array[];
+  readonly pins: readonly { readonly reference: Point; readonly template: Point }[];
   /** Null before the first frame of a run: the identity is shown. */
   readonly match: Match | null;
   /** 0 shows the identity, 1 the match; between them see morph.ts. */

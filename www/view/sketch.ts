@@ -10,18 +10,21 @@ type Point = { readonly x: number; readonly y: number };
 export type SketchScene = {
   readonly side: "reference" | "template";
   readonly shape: readonly Float64Array[];
-  /** The stroke being drawn, open. */
-  readonly stroke: readonly Point[];
-  /** Where the shape can be taken to move it; null hides the grip. */
-  readonly grip: Point | null;
-  /** The point of the curve that a press would pull. */
-  readonly pull: Point | null;
   /** The shape coloured by correspondence, when a match of exactly this shape is known. */
   readonly coloured: readonly ColouredLoop[] | null;
   /** The distance from the border that the shape should keep and does not; null when all is well. */
   readonly tooClose: number | null;
   /** The point whose partner is shown, or that partner. */
   readonly mark: Point | null;
+};
+
+export type Pen = {
+  /** The stroke being drawn, open. */
+  readonly stroke: readonly Point[];
+  /** Where the shape can be taken to move it; null hides the grip. */
+  readonly grip: Point | null;
+  /** The point of the curve that a press would pull. */
+  readonly pull: Point | null;
 };
 
 /** Radius of the grip in CSS pixels; the pointer's reach is at least this. */
@@ -46,13 +49,24 @@ export function drawSketch(context: CanvasRenderingContext2D, frame: Frame, colo
     context.lineJoin = "round";
     context.stroke();
   }
+  if (scene.mark) drawMark(context, frame, colours, scene.mark, own);
+}
 
-  if (scene.stroke.length > 1) {
+export function drawPen(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  colours: Theme,
+  side: SketchScene["side"],
+  pen: Pen,
+): void {
+  const { ratio } = frame;
+  const own = side === "reference" ? colours.reference : colours.template;
+  if (pen.stroke.length > 1) {
     context.beginPath();
     trace(
       context,
       frame,
-      scene.stroke.flatMap((p) => [p.x, p.y]),
+      pen.stroke.flatMap((p) => [p.x, p.y]),
       false,
     );
     context.strokeStyle = own;
@@ -61,8 +75,8 @@ export function drawSketch(context: CanvasRenderingContext2D, frame: Frame, colo
     context.lineJoin = "round";
     context.stroke();
     // The closing line that lifting the pen would add.
-    const first = scene.stroke[0];
-    const last = scene.stroke[scene.stroke.length - 1];
+    const first = pen.stroke[0];
+    const last = pen.stroke[pen.stroke.length - 1];
     context.beginPath();
     trace(context, frame, [last.x, last.y, first.x, first.y], false);
     context.setLineDash([2 * ratio, 5 * ratio]);
@@ -70,11 +84,10 @@ export function drawSketch(context: CanvasRenderingContext2D, frame: Frame, colo
     context.stroke();
     context.setLineDash([]);
   }
-  if (scene.grip) drawGrip(context, frame, colours, scene.grip);
-  if (scene.mark) drawMark(context, frame, colours, scene.mark, own);
-  if (scene.pull) {
+  if (pen.grip) drawGrip(context, frame, colours, pen.grip);
+  if (pen.pull) {
     context.beginPath();
-    context.arc(pixelX(frame, scene.pull.x), pixelY(frame, scene.pull.y), 5.5 * ratio, 0, 2 * Math.PI);
+    context.arc(pixelX(frame, pen.pull.x), pixelY(frame, pen.pull.y), 5.5 * ratio, 0, 2 * Math.PI);
     context.fillStyle = colours.paper;
     context.fill();
     context.strokeStyle = colours.ink;

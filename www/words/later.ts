@@ -30,6 +30,7 @@ export const later = {
       bending: "of bending",
       mismatch: "of the mismatch",
       volume: "of the volume",
+      pins: "of the pins",
       largest: "Largest distance, cells",
       mean: "Mean distance, cells",
       missed: "Target missed by, cells",

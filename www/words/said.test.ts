@@ -53,6 +53,8 @@ test("a result of other settings is no answer to those chosen now", () => {
   const told = { phase: "matched", loaded: true, status: status(), stale: true } as const;
   expect(headline(told)).toBe("The settings have changed: press Match.");
   expect(resultState(told)).toBe("matched, but with other settings than those chosen now");
+  expect(headline({ ...told, otherPins: true })).toBe("The pins have changed: press Match.");
+  expect(resultState({ ...told, otherPins: true })).toBe("matched, but with other pins than those set now");
 });
 
 test("what does not fit is never called too small to see", () => {

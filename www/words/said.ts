@@ -11,12 +11,17 @@ export type Told = {
   readonly loaded: boolean;
   /** Of the run under way, once it has a frame. */
   readonly status: Status | null;
-  /** What is shown was computed with other settings. */
+  /** What is shown was computed with other settings, or with other pins. */
   readonly stale: boolean;
+  readonly otherPins?: boolean;
 };
 
+export function staleness({ outdated }: { readonly outdated: { readonly value: "settings" | "pins" | null } }) {
+  return { stale: outdated.value !== null, otherPins: outdated.value === "pins" };
+}
+
 /** The one sentence under the picture. */
-export function headline({ phase, loaded, status, stale }: Told): string {
+export function headline({ phase, loaded, status, stale, otherPins }: Told): string {
   const { status: say } = words;
   switch (phase) {
     case "idle":
@@ -34,7 +39,8 @@ export function headline({ phase, loaded, status, stale }: Told): string {
   }
   if (!isDone(phase)) return status ? say.on(status.approach, gridName(status.level)) : say.matching;
   if (!status) return say.shapesChanged;
-  return stale ? say.settingsChanged : verdict(status);
+  if (stale) return otherPins ? say.pinsChanged : say.settingsChanged;
+  return verdict(status);
 }
 
 /** How the match ended, and what that means for the eye. */
@@ -47,10 +53,10 @@ export function verdict({ verdict, stop, measure }: Status): string {
 }
 
 /** The state, for those who do not see the picture. */
-export function resultState({ phase, status, stale }: Omit<Told, "loaded">): string {
+export function resultState({ phase, status, stale, otherPins }: Omit<Told, "loaded">): string {
   const { result: say } = words;
   if (!status) return phase === "preparing" ? say.starting : say.none;
-  if (stale) return say.stale;
+  if (stale) return otherPins ? say.otherPins : say.stale;
   if (isDone(phase)) {
     const most = Math.max(status.mismatch.max, status.cover.max);
     return Number.isFinite(most) ? say.matched(decimals(most)) : say.blind;

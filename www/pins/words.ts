@@ -1,0 +1,65 @@
+/** What the page says of pins. */
+
+import type { Point } from "../shapes/geometry";
+import { decimals } from "../words/numbers";
+
+type Side = "reference" | "template";
+
+export const actions = {
+  first: "Press a point of the reference, then its partner on the template.",
+  partner: (number: number, side: Side) => `Now the partner of pin ${number}: press where it belongs on the ${side}.`,
+  chosen: (index: number) => `Pin ${index + 1}: drag either end, or delete it.`,
+  delete: (index: number) => `Delete pin ${index + 1}`,
+  deleteAll: "Delete all pins",
+};
+
+/** Spoken, pins counted from 0. */
+export const told = {
+  begun: (index: number, side: Side, at: Point) => `Pin ${index + 1} begun on the ${side}: ${place(at)}.`,
+  set: (index: number, from: Point, to: Point) => `Pin ${index + 1} set: ${place(from)} goes to ${place(to)}.`,
+  moved: (index: number, at: Point) => `Pin ${index + 1} moved: ${place(at)}.`,
+  chosen: (index: number, at: Point) => `Pin ${index + 1} chosen: ${place(at)}.`,
+  takenUp: (index: number) => `Pin ${index + 1} taken up: arrow keys move it, Enter sets it down, Escape puts it back.`,
+  deleted: (index: number) => `Pin ${index + 1} deleted.`,
+  allDeleted: "All pins deleted.",
+  putBack: "Put back.",
+  givenUp: "The pin is given up.",
+  full: (most: number) => `There are ${most} pins already: delete one first.`,
+  onCurve: ", on the curve",
+  atPin: (index: number) => `, at pin ${index + 1}`,
+};
+
+/** The box's lower left corner is 0, 0. */
+export function place({ x, y }: Point): string {
+  const short = (value: number) => String(Number(value.toFixed(3)));
+  return `${short(x)} across, ${short(y)} up`;
+}
+
+/** Nearer to its partner than this, in cells, a pin holds. */
+const FAR = 1;
+
+/** Of pins that ask for what the fit forbids: how much farther from its curve one end lies than the other, in cells. */
+export function pinsAside(distances: readonly number[]): string | null {
+  const index = distances.findIndex((cells) => cells > FAR);
+  if (index < 0) return null;
+  return `Pin ${index + 1} ties two points of which one lies ${decimals(distances[index])} cells farther from its curve: the match cannot both fit and follow it. Drag it to the curve, where it snaps.`;
+}
+
+/** What is to be said of how far pins end from their partners; null where all hold. `distances` in cells. */
+export function pinsOff(distances: readonly number[], strength: number): string | null {
+  const far = distances.map((cells, index) => ({ cells, index })).filter(({ cells }) => cells > FAR);
+  if (far.length === 0) return null;
+  if (strength === 0) return "The pins are ignored: their strength is 0.";
+  const [first, ...others] = far.map(({ cells, index }, k) =>
+    k === 0
+      ? `Pin ${index + 1} ends ${decimals(cells)} cells from its partner`
+      : `pin ${index + 1} ${decimals(cells)} cells`,
+  );
+  const list = [first, ...others.slice(0, 3)].join(", ");
+  const more = others.length > 3 ? `, and ${others.length - 3} more` : "";
+  const remedy =
+    far.length > 1
+      ? "move them, or raise their strength in the settings"
+      : "move it, or raise the strength of pins in the settings";
+  return `${list}${more}: ${remedy}.`;
+}

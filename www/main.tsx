@@ -19,6 +19,7 @@ import { ViewPicker } from "./controls/ViewPicker";
 import { moduleAt } from "./engine";
 import { changedFields, Session } from "./session";
 import { open, readStorage } from "./state";
+import { fetchHands } from "./tools/tool";
 import "./style.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
 import SolverWorker from "./worker?worker&inline";
@@ -122,3 +123,6 @@ shortcuts(session);
 addEventListener("hashchange", () => session.openLink(location.hash));
 root.replaceChildren();
 render(<App session={session} />, root);
+fetchHands().catch((problem: Error) => {
+  session.problem.value = problem.message;
+});

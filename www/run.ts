@@ -103,10 +103,11 @@ export class Run {
   }
 
   start(): void {
+    this.subject.say(null);
     this.begins(this.subject.settings.value);
   }
 
-  /** A match for whoever has just come: at once on a grid that is quick, then on to the finest. */
+  /** A match for whoever has just come: at once on a grid that is quick, then on to the finest. What was said stays. */
   glance(): void {
     const chosen = this.subject.settings.value;
     const level = Math.max(coarsestLevel(chosen), Math.min(GLANCE_LEVEL, finestLevel(chosen)));
@@ -191,7 +192,6 @@ export class Run {
 
   private begins(settings: Chosen): void {
     this.forget();
-    this.subject.say(null);
     this.energies.value = [];
     this.advance("start");
     const { reference, template, pins } = this.begin(settings);

@@ -16,7 +16,7 @@ const OTHER_TIP = [0.239, 0.464] as const;
 type Spot = readonly [number, number];
 
 async function open(page: Page, more = "&finest=6"): Promise<void> {
-  await page.goto(`./#v=1&preset=star${more}`);
+  await page.goto(`./#v=1&preset=star${more}&match=later`);
   await button(page, "Pin").click();
   await expect(button(page, "Pin")).toHaveAttribute("aria-pressed", "true");
 }
@@ -164,7 +164,7 @@ test("a chosen pin is deleted by button and by key, and what remains counts from
 });
 
 test("everything is done with the keyboard alone, and told", async ({ page }) => {
-  await page.goto("./#v=1&preset=star&finest=6");
+  await page.goto("./#v=1&preset=star&finest=6&match=later");
   await button(page, "Pin").focus();
   await page.keyboard.press("Enter");
   const told = page.locator(".sketch-tools [aria-live]");
@@ -256,7 +256,7 @@ test("a link brings the pins back, and links of before there were pins open", as
   expect(address).toContain("preset=star");
   const other = await context.newPage();
   await other.goto(address);
-  await match(other);
+  await finished(other);
   expect(await cellsOff(other)).toBeLessThan(0.5);
   expect(pins(other)).toEqual(pins(page));
   await other.goto("about:blank");
@@ -362,10 +362,20 @@ test("pins that contradict each other fold nothing, and the page says which are 
   const [x, y] = TIP;
   const from = { x, y };
   const pins = [0.3, 0.7].map((u) => ({ reference: from, template: { x: u, y: 0.3 } }));
-  await page.goto(`./#${encode({ ...STAR, pins, settings: { finest: 5 }, preset: "star" })}`);
+  await page.goto(`./#${encode({ ...STAR, pins, settings: { finest: 5 }, preset: "star" })}&match=later`);
   await match(page);
   expect(await value(page, "least-determinant")).toBeGreaterThan(0);
   await expect(page.locator(".pins-off")).toHaveText(/^Pin 1 ends [\d.]+ cells from its partner, pin 2/);
+});
+
+test("a match of other pins is marked as such until the pins are as they were", async ({ page }) => {
+  await open(page, "&finest=5");
+  await match(page);
+  await tie(page, TIP, OTHER_TIP);
+  await expect(page.getByRole("status")).toContainText("The pins have changed: press Match.");
+  await expect(page.getByText("Computed with other pins")).toBeVisible();
+  await button(page, "Undo").click();
+  await expect(page.getByText("Computed with other pins")).toHaveCount(0);
 });
 
 test("pins go along with a shape that is moved, and go with one that is cleared", async ({ page }) => {

@@ -12,7 +12,7 @@ adopt(style);
 const GROUPS = ["Energies", "Grid", "Method"] as const;
 
 /** What most people want to change; the others are for those who know the paper. */
-const PLAIN: ReadonlySet<string> = new Set(["membrane", "bending", "penalty", "volume", "finest"]);
+const PLAIN: ReadonlySet<string> = new Set(["membrane", "bending", "penalty", "volume", "pinWeight", "finest"]);
 
 /** The model's parameters. Only those that differ from their defaults go to the solver. */
 export function SettingsPanel({ session }: { session: Session }) {

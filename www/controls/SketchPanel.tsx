@@ -6,14 +6,13 @@ import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
 import { bounds } from "../shapes/geometry";
 import type { Hand } from "../tools/hand";
-import { tool } from "../tools/tool";
+import { hands, tool } from "../tools/tool";
 import { nearest } from "../view/along";
 import { Surface } from "../view/canvas";
 import { arcLengthParts } from "../view/curve";
 import { probeAt } from "../view/probe";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
-import { handOf } from "./hand";
 import { ImportButton } from "./Import";
 import { guess, probe } from "./viewing";
 
@@ -45,7 +44,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
     const stopHand = effect(() => {
       const [wanted, fetched] = [tool.value, kit.value];
       untracked(() => hand.current?.dispose());
-      hand.current = handOf(wanted, fetched, session, side, surface);
+      hand.current = hands.value?.handOf(wanted, fetched, session, side, surface) ?? null;
       surface.invalidate();
     });
     // Computed, so that this surface rests while only the other shape or the match moves.

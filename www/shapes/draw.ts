@@ -6,7 +6,7 @@
 import type { Ground, Hand } from "../tools/hand";
 import type { Frame } from "../view/canvas";
 import type { Theme } from "../view/palette";
-import { drawPen } from "../view/sketch";
+import { drawPen } from "../view/pen";
 import { keyed, loopFromStroke, pulled, settled, withLoop } from "./edit";
 import { centroid, type Nearest, nearestVertex, type Point, type Shape, shift, transformed } from "./geometry";
 

@@ -1,11 +1,20 @@
 /** Which tool the hand holds, the same on both surfaces. Signals; no DOM. */
 
 import { signal } from "@preact/signals";
+import { fetched } from "../controls/fetched";
 import { begun, chosen, fetchKit } from "../pins/kit";
 
 export type Tool = "draw" | "pin";
 
 export const tool = signal<Tool>("draw");
+
+/** What puts a tool into the hand; the page is seen before it is there. */
+export const hands = signal<typeof import("../controls/hand") | null>(null);
+
+/** Throws a sentence when they cannot be had. */
+export async function fetchHands(): Promise<void> {
+  hands.value ??= await fetched("What is needed to draw", () => import("../controls/hand"));
+}
 
 /** What has just been done, for those who hear the page. */
 export const said = signal("");

@@ -6,6 +6,7 @@ import { nearest } from "../view/along";
 import { type Frame, pixelX, pixelY } from "../view/canvas";
 import { arcLengthParts } from "../view/curve";
 import { mapped } from "../view/field";
+import { movedAt, wayOf } from "../view/morph";
 import { onCycle, type Theme } from "../view/palette";
 import type { Match } from "../view/result";
 import { chosen } from "./kit";
@@ -47,15 +48,10 @@ export function pinMarks(
   cycle: readonly string[],
 ): PinMark[] {
   const colours = pinColours(pins, reference, cycle);
-  const ends = match && pinEnds(pins, match);
-  return pins.map(({ reference: p, template: q }, i) => {
-    const end = ends?.[i] ?? p;
-    return {
-      at: { x: p.x + morph * (end.x - p.x), y: p.y + morph * (end.y - p.y) },
-      aim: q,
-      colour: colours[i],
-    };
-  });
+  const from = pins.flatMap(({ reference: { x, y } }) => [x, y]);
+  const to = match && Float64Array.from(pinEnds(pins, match).flatMap(({ x, y }) => [x, y]));
+  const at = match && to ? movedAt(wayOf(match), from, to, morph) : from;
+  return pins.map(({ template }, i) => ({ at: { x: at[2 * i], y: at[2 * i + 1] }, aim: template, colour: colours[i] }));
 }
 
 /** Each disc with a line to where it should be. */

@@ -116,7 +116,7 @@ fn a_pin_chooses_among_starts_that_are_equally_good() {
     };
     for aim in 0..5 {
         let [reference, template] =
-            [(), ()].map(|()| SignedDistance::from_loops(grid, &[star.clone()]).expect("a star"));
+            [(), ()].map(|()| SignedDistance::from_loops(grid, std::slice::from_ref(&star)).expect("a star"));
         let pin = Pin { reference: tip(0), template: tip(aim) };
         let mut search = ready(Search::with_pins(reference, template, settings, &[pin])).expect("valid settings");
         while ready(search.step()).stop.is_none() {}

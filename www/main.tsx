@@ -116,6 +116,8 @@ function spawn(): Worker {
 
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no #app");
+// On its way while the page is drawn, which does not wait for it.
+const hands = fetchHands();
 const opened = open(location.hash, readStorage());
 const session = new Session({ module: moduleAt(solverUrl), spawn }, opened);
 if (!opened.later) session.glance();
@@ -123,6 +125,6 @@ shortcuts(session);
 addEventListener("hashchange", () => session.openLink(location.hash));
 root.replaceChildren();
 render(<App session={session} />, root);
-fetchHands().catch((problem: Error) => {
+hands.catch((problem: Error) => {
   session.problem.value = problem.message;
 });

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { KEPT_LEVEL, kept } from "./trail";
+import { isKept, KEPT_LEVEL, kept } from "./trail";
 import { identity } from "./view/identity";
 import { matchAt } from "./view/past";
 
@@ -27,4 +27,11 @@ test.each([3, KEPT_LEVEL, 8])(
 
 test("an iteration of which nothing was kept has no picture", () => {
   expect(matchAt({ level: 5 }, CURVES)).toBeNull();
+});
+
+test("the first iterations of a run are all kept, and of a long one so many that it stays small", () => {
+  const runs = Array.from({ length: 10_000 }, (_, n) => isKept(n));
+  expect(runs.slice(0, 1000).every(Boolean)).toBe(true);
+  const bytes = runs.filter(Boolean).length * 8 * 33 ** 2;
+  expect(bytes).toBeLessThan(20e6);
 });

@@ -3,6 +3,15 @@
 /** Level of the kept deformations: what a picture shows of a grid. 33² nodes in single precision are 9 kB. */
 export const KEPT_LEVEL = 5;
 
+/** Iterations of which all are kept; of those after them, that take small steps, every so manieth. */
+const ALL = 1000;
+const EVERY = 10;
+
+/** Whether the n-th iteration of a run, from 0, is kept: a run of ten thousand has 16 MB. */
+export function isKept(n: number): boolean {
+  return n < ALL || n % EVERY === 0;
+}
+
 /** Every so manieth node of φ, at most those of the kept level. x y a node, x fastest. */
 export function kept(deformation: Float64Array, level: number): Float32Array {
   const stride = 2 ** Math.max(0, level - KEPT_LEVEL);

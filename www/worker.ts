@@ -4,7 +4,7 @@
  */
 
 import type { Inspection, Iteration, Reply, Request, Status } from "./protocol";
-import { kept } from "./trail";
+import { isKept, kept } from "./trail";
 import { identity } from "./view/identity";
 import init, { inspect, Registration } from "./wasm/thinshell.js";
 
@@ -60,6 +60,7 @@ const running = {
   finished: false,
   /** Whether this run goes on from another. */
   updated: false,
+  iterations: 0,
   /** Iterations that no frame has shown yet. */
   trail: [] as Iteration[],
   /** The energies of the identity, of the last level that was asked. */
@@ -100,6 +101,7 @@ async function begin(start: Start): Promise<void> {
   running.finished = false;
   running.updated = false;
   running.trail = [];
+  running.iterations = 0;
   running.rest = null;
   lastFrameTaken = true;
   try {
@@ -154,7 +156,9 @@ async function solve(registration: Registration): Promise<void> {
   do {
     status = await registration.step(1);
     const { level, iteration } = status;
-    const picture = running.updated ? {} : { kept: kept(registration.deformation(), level) };
+    const picture =
+      running.updated || !isKept(running.iterations) ? {} : { kept: kept(registration.deformation(), level) };
+    running.iterations += 1;
     running.trail.push({ ...status.energies, level, iteration, ...picture });
   } while (!status.finished && performance.now() < until);
   running.finished = status.finished;

@@ -81,7 +81,9 @@ function Scrubber({ session }: { session: Session }) {
   if (!frame || !trail.some(({ kept }) => kept)) return null;
   const show = (index: number) => {
     const last = index >= trail.length - 1;
-    const match = last ? null : matchAt(trail[index], frame.curves);
+    // Of late iterations not all are kept: then the last one before it that is.
+    const shown = trail.slice(0, index + 1).findLast(({ kept }) => kept);
+    const match = last || !shown ? null : matchAt(shown, frame.curves);
     at.value = match && index;
     past.value = match && { match, words: later.past.at(index + 1, trail.length, gridName(trail[index].level)) };
   };

@@ -73,7 +73,6 @@ export const later = {
   past: {
     name: "Iteration",
     at: (iteration: number, all: number, grid: string) => `Iteration ${iteration} of ${all}, on the ${grid} grid`,
-    end: "Back to the end",
   },
 
   legend: { reference: "Reference", matched: "Reference, moved", template: "Target" },

@@ -222,8 +222,36 @@ function hand(angles: readonly number[], length: number): Loop {
   return softened(through([...fingers, ...wrist]), 22);
 }
 
-function head(ears: number, width: number, lean: number): Loop {
-  return polar((t) => 0.165 + ears * (bump(t, 55 + lean, width) + bump(t, 125 - lean, width)), { x: 0.5, y: 0.44 });
+function rabbit(): Loop {
+  return polar((t) => 0.165 + 0.18 * (bump(t, 61, 17) + bump(t, 119, 17)), { x: 0.5, y: 0.44 });
+}
+
+/** Half a cat's head, from the crown over the ear and the cheek to the chin: off the axis, and up from the middle. */
+const CAT = [
+  [0, 0.125],
+  [0.045, 0.126],
+  [0.08, 0.155],
+  [0.11, 0.195],
+  [0.132, 0.23],
+  [0.152, 0.244],
+  [0.17, 0.228],
+  [0.178, 0.185],
+  [0.186, 0.115],
+  [0.196, 0.04],
+  [0.198, -0.03],
+  [0.165, -0.085],
+  [0.1, -0.13],
+  [0, -0.15],
+] as const;
+
+function cat(): Loop {
+  const half = CAT.map(([x, y]) => ({ x, y }));
+  const left = half.map(({ x, y }) => ({ x: 0.5 - x, y: 0.46 + y }));
+  const right = half
+    .slice(1, -1)
+    .reverse()
+    .map(({ x, y }) => ({ x: 0.5 + x, y: 0.46 + y }));
+  return softened(through([...left, ...right]), 20);
 }
 
 function pair(id: string, title: string, reference: Shape, template: Shape): Preset {
@@ -259,7 +287,7 @@ export const PRESETS: readonly Preset[] = [
   ),
   pair("fish", "Fish → swimming fish", [fish(0)], [fish(0.09)]),
   pair("hand", "Hand → spread hand", [hand([2, 52, 96, 140], 0.07)], [hand([-18, 44, 96, 148], 0.13)]),
-  pair("ears", "Cat → rabbit", [head(0.095, 17, -6)], [head(0.18, 17, 6)]),
+  pair("ears", "Cat → rabbit", [cat()], [rabbit()]),
   pair(
     "heart",
     "Heart → drop",

@@ -26,3 +26,20 @@ test("loops follow one another, longer ones first, and share the whole by length
   expect(b[0]).toBe(0);
   expect(a[0]).toBeCloseTo(0.75, 12);
 });
+
+test("loops of equal length keep their colours, whatever a grid makes of their lengths", () => {
+  const circle = (x: number, y: number, radius: number, count: number) =>
+    Float64Array.from({ length: 2 * count }, (_, k) => {
+      const t = (2 * Math.PI * (k >> 1)) / count;
+      return k % 2 === 0 ? x + radius * Math.cos(t) : y + radius * Math.sin(t);
+    });
+  for (const [u, v] of [
+    [0.7, 0.5],
+    [0.3, 0.8],
+  ]) {
+    const [first] = arcLengthParts([circle(0.3, 0.5, 0.1, 100), circle(u, v, 0.1, 100)]);
+    const [, found] = arcLengthParts([circle(u, v, 0.1005, 64), circle(0.3, 0.5, 0.0995, 64)]);
+    expect(found[0]).toBeCloseTo(first[0], 2);
+    expect(Math.max(...found)).toBeLessThan(0.51);
+  }
+});

@@ -11,8 +11,8 @@ export type ColouredLoop = { readonly points: Float64Array; readonly parts: Floa
 
 /**
  * Arc length along the closed polylines `reference` as parts 0…1 of the whole length: one array a loop, one value a
- * point. Every loop counts counter-clockwise from its rightmost point and longer loops come first, so that a curve
- * keeps its colours whichever way and from wherever its points are listed.
+ * point. Every loop counts counter-clockwise from its rightmost point; longer loops come first, and of loops as good as
+ * equally long those to the left. So a curve keeps its colours whichever way and from wherever its points are listed.
  */
 export function arcLengthParts(reference: readonly Float64Array[]): Float64Array[] {
   const lengths = reference.map((loop) => {
@@ -22,7 +22,7 @@ export function arcLengthParts(reference: readonly Float64Array[]): Float64Array
   });
   const whole = lengths.reduce((sum, length) => sum + length, 0);
   const parts = reference.map((loop) => new Float64Array(loop.length / 2));
-  const order = reference.map((_, l) => l).sort((a, b) => lengths[b] - lengths[a]);
+  const order = inOrder(reference, lengths);
   let before = 0;
   for (const l of order) {
     const loop = reference[l];
@@ -43,6 +43,25 @@ export function arcLengthParts(reference: readonly Float64Array[]): Float64Array
     before += lengths[l];
   }
   return parts;
+}
+
+/** Lengths that differ by no more than this part are taken for equal: a curve and what a grid makes of it differ so. */
+const EQUAL = 0.03;
+
+function inOrder(loops: readonly Float64Array[], lengths: readonly number[]): number[] {
+  const left = (l: number) => loops[l].reduce((least, x, i) => (i % 2 === 0 && x < least ? x : least), Infinity);
+  const lowest = (l: number) => loops[l].reduce((least, y, i) => (i % 2 === 1 && y < least ? y : least), Infinity);
+  const order = loops.map((_, l) => l).sort((a, b) => lengths[b] - lengths[a]);
+  const out: number[] = [];
+  while (order.length > 0) {
+    const equal = order.filter((l) => lengths[l] >= (1 - EQUAL) * lengths[order[0]]);
+    // Side by side, or one above the other.
+    const beside = (a: number, b: number) => left(a) - left(b);
+    equal.sort((a, b) => (Math.abs(beside(a, b)) > EQUAL ? beside(a, b) : lowest(a) - lowest(b)));
+    out.push(...equal);
+    order.splice(0, equal.length);
+  }
+  return out;
 }
 
 /** Length from point i to the next. */

@@ -144,7 +144,7 @@ test.describe("by drop and paste", () => {
   test("text can be pasted into a field, as phones need it", async ({ page }) => {
     await button(page, "Import reference").click();
     await page.getByText("Paste text here").click();
-    await page.getByLabel("SVG, JSON or CSV text").fill("0 0\n2 0\n2 1\n0 1");
+    await page.getByLabel("SVG, path data, JSON or CSV text").fill("0 0\n2 0\n2 1\n0 1");
     expect(areaShare(await take(page, "Reference"))).toBeCloseTo(0.5, 3);
   });
 });

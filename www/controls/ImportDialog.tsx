@@ -226,14 +226,14 @@ function Sources({ onInput, browsing, onBrowse }: SourcesProps) {
         Gallery
       </button>
       <p id="import-formats" class="help">
-        SVG, PNG, JPEG, WebP, JSON, GeoJSON, CSV, or a match saved here. You can also drop a file anywhere on the page,
-        or paste a picture or text.
+        SVG or its path data, PNG, JPEG, WebP, JSON, GeoJSON, CSV, or a match saved here. You can also drop a file
+        anywhere on the page, or paste a picture or text.
       </p>
       <details>
         <summary>Paste text here</summary>
         <textarea
           rows={3}
-          aria-label="SVG, JSON or CSV text"
+          aria-label="SVG, path data, JSON or CSV text"
           spellcheck={false}
           onInput={(event) => onInput(event.currentTarget.value.trim() || null)}
         />

@@ -157,12 +157,18 @@ async function requestFor(input: Blob | string | FoundShapes, signal: AbortSigna
 }
 
 async function requestForText(text: string, signal: AbortSignal): Promise<ReaderRequest> {
-  const start = text.replace(/^\uFEFF/, "").trimStart();
+  const given = text.replace(/^\uFEFF/, "").trimStart();
+  const start = isPathData(given) ? `<svg xmlns="http://www.w3.org/2000/svg"><path d="${given}"/></svg>` : given;
   if (!start.startsWith("<")) return { kind: "text", text: start };
   if (/<svg[\s>]/i.test(start) && !/^<(!doctype\s+)?html/i.test(start)) {
     return { kind: "drawing", drawing: await drawingMeanwhile(start, signal) };
   }
   throw new ImportError("This is a web page or other markup, not a drawing; import the SVG itself.");
+}
+
+/** What drawing programs copy as the `d` of a path: it begins with a move and holds nothing but commands and numbers. */
+export function isPathData(text: string): boolean {
+  return /^[Mm][\s,]*[-+.\d][\d\s.,eE+\-MmLlHhVvCcSsQqTtAaZz]*$/.test(text);
 }
 
 function kindOf(head: string): Kind {

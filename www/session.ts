@@ -9,7 +9,7 @@ import type { MatchRecord } from "./record";
 import { type Result, Run } from "./run";
 import { Runs } from "./runs";
 import { type Chosen, FIELDS, type SettingField, withSetting } from "./settings";
-import { fitted, type Shape } from "./shapes/geometry";
+import { fitted, type Loop, type Shape } from "./shapes/geometry";
 import type { Pin, Shapes } from "./shapes/pins";
 import type { Preset } from "./shapes/presets";
 import { encode, type Opened, open, remember } from "./state";
@@ -22,6 +22,15 @@ export type Pair = Shapes & {
   readonly preset: string | null;
   /** Which of them are untouched examples: the first stroke replaces those. */
   readonly examples: { readonly reference: boolean; readonly template: boolean };
+};
+
+/** What is to be decided before a stroke becomes a shape. */
+export type Question = {
+  readonly side: Side;
+  /** What has been drawn. */
+  readonly loop: Loop;
+  readonly words: string;
+  readonly ways: readonly { readonly label: string; readonly go: () => void }[];
 };
 
 /** Between an edit and its being written to the address, which browsers allow some three times a second. */
@@ -41,6 +50,7 @@ export class Session {
   /** Whether the match follows the hand. */
   readonly live = signal(false);
   readonly problem = signal<string | null>(null);
+  readonly question = signal<Question | null>(null);
   /** 0 shows the identity, 1 the match. */
   readonly morph = signal(1);
 
@@ -271,8 +281,10 @@ export class Session {
     this.run.cancel();
   }
 
-  dismissProblem(): void {
+  /** Whatever was said or asked is of what is no longer there. */
+  dismiss(): void {
     this.problem.value = null;
+    this.question.value = null;
   }
 
   /** The address that brings back what is on the page now. */
@@ -295,7 +307,7 @@ export class Session {
   private commit(pair: Pair): void {
     this.moving.value = null;
     this.history.value = changed(this.history.value, pair);
-    this.problem.value = null;
+    this.dismiss();
     this.shapesChanged();
   }
 
@@ -303,6 +315,7 @@ export class Session {
     if (to === this.history.value) return;
     this.moving.value = null;
     this.history.value = to;
+    this.dismiss();
     this.shapesChanged();
   }
 
@@ -322,6 +335,7 @@ export class Session {
   }
 
   private settingsChanged(): void {
+    this.dismiss();
     if (this.live.value) this.settle();
     else this.run.restartSoon();
   }

@@ -38,6 +38,8 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
         mark: markOf(session, side),
       });
       kit.peek()?.drawPins(context, frame, colours, session.shapes.value, side);
+      const question = session.question.value;
+      if (question?.side === side) hands.peek()?.drawFaulty(context, frame, colours, question.loop);
       hand.current?.paint(context, frame, colours);
     });
     ground.current = surface;
@@ -53,7 +55,8 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
     const coloured = computed(() => colourOf(session, side));
     const mark = computed(() => markOf(session, side));
     const stop = effect(() => {
-      for (const shown of [shape, pins, coloured, mark, begun, chosen, kit, session.settings]) shown.value;
+      for (const shown of [shape, pins, coloured, mark, begun, chosen, kit, session.question, session.settings])
+        shown.value;
       surface.invalidate();
     });
     return () => {

@@ -77,12 +77,26 @@ function CopyLink({ session }: { session: Session }) {
 
 export function Problem({ session }: { session: Session }) {
   const text = session.problem.value;
+  const question = session.question.value;
   return (
     <div role="alert">
+      {question && (
+        <div class="problem">
+          <p class="text">{question.words}</p>
+          {question.ways.map(({ label, go }) => (
+            <button key={label} type="button" onClick={go}>
+              {label}
+            </button>
+          ))}
+          <button type="button" class="quiet" onClick={() => session.dismiss()}>
+            Draw again
+          </button>
+        </div>
+      )}
       {text && (
         <div class="problem">
           <p class="text">{text}</p>
-          <button type="button" class="quiet" onClick={() => session.dismissProblem()}>
+          <button type="button" class="quiet" onClick={() => session.dismiss()}>
             Dismiss
           </button>
         </div>

@@ -2,12 +2,19 @@
 
 import type { kit } from "../pins/kit";
 import type { Session, Side } from "../session";
+import { finestLevel } from "../settings";
 import { Drawing } from "../shapes/draw";
-import type { Shape } from "../shapes/geometry";
+import type { Loop, Shape } from "../shapes/geometry";
+import type { Judgement } from "../shapes/judge";
 import type { Pin } from "../shapes/pins";
 import type { Ground, Hand } from "../tools/hand";
 import type { Tool } from "../tools/tool";
 import type { Surface } from "../view/canvas";
+import { faultWords, WAYS } from "../words/strokes";
+
+export { drawFaulty } from "../view/pen";
+
+type Faulty = Exclude<Judgement, { kind: "tap" | "loop" }>;
 
 export function handOf(tool: Tool, fetched: typeof kit.value, session: Session, side: Side, surface: Surface): Hand {
   const ground: Ground & { side: Side; restore(): void } = {
@@ -34,6 +41,11 @@ export function handOf(tool: Tool, fetched: typeof kit.value, session: Session, 
     isExample: () => session.isExample(side),
     preview: (shape: Shape, at: number) => session.previewShape(side, shape, at),
     commit: (shape: Shape) => session.commitShape(side, shape),
+    limits: () => ({ cell: 1 / 2 ** finestLevel(session.settings.value) }),
+    ask: ({ kind, size, loop, mended }: Faulty, take: (loop: Loop) => void) => {
+      const ways = mended ? [{ label: WAYS[kind], go: () => take(mended) }] : [];
+      session.question.value = { side, loop, words: faultWords(kind, size), ways };
+    },
   });
   return new Drawing(host);
 }

@@ -7,11 +7,23 @@ import type { Ground, Hand } from "../tools/hand";
 import type { Frame } from "../view/canvas";
 import type { Theme } from "../view/palette";
 import { drawPen } from "../view/pen";
-import { keyed, loopFromStroke, pulled, settled, withLoop } from "./edit";
-import { centroid, type Nearest, nearestVertex, type Point, type Shape, shift, transformed } from "./geometry";
+import { keyed, pulled, settled, withLoop } from "./edit";
+import {
+  centroid,
+  type Loop,
+  type Nearest,
+  nearestVertex,
+  type Point,
+  type Shape,
+  shift,
+  transformed,
+} from "./geometry";
+import { type Judgement, judged, type Limits } from "./judge";
 
 /** Reach of the pointer in CSS pixels, around the curve and around the grip. */
 const REACH = { mouse: 8, pen: 10, touch: 16 };
+/** Around an untouched example: who just misses its curve means to bend it, and not to draw another in its place. */
+const EXAMPLE_REACH = 16;
 const GRIP_REACH = { mouse: 12, pen: 14, touch: 20 };
 
 export interface DrawingHost extends Ground {
@@ -25,6 +37,9 @@ export interface DrawingHost extends Ground {
   restore(): void;
   /** The shape when the hand lets go; one step to undo. */
   commit(shape: Shape): void;
+  limits(): Limits;
+  /** Asks what is to become of a stroke that is no shape; `take` draws what has been made of it. */
+  ask(judgement: Exclude<Judgement, { kind: "tap" | "loop" }>, take: (loop: Loop) => void): void;
 }
 
 type Gesture =
@@ -160,12 +175,22 @@ export class Drawing implements Hand {
     this.gesture = null;
     if (!gesture) return;
     if (gesture.kind === "stroke") {
-      const loop = loopFromStroke(gesture.points);
-      if (loop) this.host.commit(withLoop(this.host.isExample() ? [] : this.host.shape(), loop));
+      this.draw(judged(gesture.points, this.host.limits()));
     } else if (gesture.kind === "pinch" || gesture.moved) {
       this.host.commit(settled(this.host.shape()));
     }
     this.host.repaint();
+  }
+
+  private draw(judgement: Judgement): void {
+    if (judgement.kind === "tap") return;
+    if (judgement.kind === "loop") this.take(judgement.loop);
+    else this.host.ask(judgement, (loop) => this.take(loop));
+  }
+
+  /** The first curve replaces an example. */
+  private take(loop: Loop): void {
+    this.host.commit(withLoop(this.host.isExample() ? [] : this.host.shape(), loop));
   }
 
   private abandon(event: PointerEvent): void {
@@ -181,7 +206,8 @@ export class Drawing implements Hand {
 
   private nearest(point: Point, kind: keyof typeof REACH): Nearest | null {
     const near = nearestVertex(this.host.shape(), point);
-    return near && near.distance * this.host.pixelsPerUnit <= REACH[kind] ? near : null;
+    const reach = this.host.isExample() ? Math.max(EXAMPLE_REACH, REACH[kind]) : REACH[kind];
+    return near && near.distance * this.host.pixelsPerUnit <= reach ? near : null;
   }
 
   private onGrip(point: Point, kind: keyof typeof GRIP_REACH): boolean {

@@ -30,7 +30,7 @@ const SMOOTHING_PASSES = 3;
 const OVERSHOOT_SHARE = 0.25;
 
 /** Closes, smooths and resamples a freehand stroke. Null when it is only a tap. */
-export function loopFromStroke(stroke: readonly Point[]): Loop | null {
+export function loopFromStroke(stroke: readonly Point[], passes = SMOOTHING_PASSES): Loop | null {
   let length = 0;
   for (let i = 1; i < stroke.length; i += 1) {
     length += Math.hypot(stroke[i].x - stroke[i - 1].x, stroke[i].y - stroke[i - 1].y);
@@ -38,7 +38,7 @@ export function loopFromStroke(stroke: readonly Point[]): Loop | null {
   if (stroke.length < 3 || length < SHORTEST_STROKE) return null;
   const closed = withoutOvershoot(stroke);
   const flat = Float64Array.from(closed.flatMap((p) => [p.x, p.y]));
-  return smoothed(resampled(flat, SAMPLES), SMOOTHING_PASSES);
+  return smoothed(resampled(flat, SAMPLES), passes);
 }
 
 /** Cuts the tails where the stroke's end crosses its beginning: people close a curve by drawing past its start. */

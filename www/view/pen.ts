@@ -61,6 +61,17 @@ export function drawPen(
   }
 }
 
+/** A stroke that is no shape yet. */
+export function drawFaulty(context: CanvasRenderingContext2D, frame: Frame, colours: Theme, loop: Float64Array): void {
+  context.beginPath();
+  trace(context, frame, loop, true);
+  context.strokeStyle = colours.warning;
+  context.lineWidth = 2.5 * frame.ratio;
+  context.setLineDash([7 * frame.ratio, 5 * frame.ratio]);
+  context.stroke();
+  context.setLineDash([]);
+}
+
 /** A disc with four arrow heads. */
 function drawGrip(context: CanvasRenderingContext2D, frame: Frame, colours: Theme, at: Point): void {
   const { ratio } = frame;

@@ -15,7 +15,7 @@ function eight(): [number, number][] {
 for (const [title, points, words, way] of [
   ["crosses itself", eight(), "This line crosses itself", "Keep its larger part"],
   ["is too small", ellipse(0.03, 0.03, 0.3, 0.7), "the grid sees nothing below four", "Enlarge it"],
-  ["crosses the border", ellipse(0.2, 0.2, 0.85, 0.5), "crosses the border of the box", "Move it inside"],
+  ["crosses the border", ellipse(-0.2, 0.2, 0.85, 0.5), "crosses the border of the box", "Move it inside"],
 ] as const) {
   test(`a stroke that ${title} waits for what is to become of it, and the way out makes a shape of it`, async ({
     page,
@@ -51,7 +51,7 @@ test("what has been said of shapes goes with them, by undo as well", async ({ pa
   await expect(page.getByRole("alert")).toContainText("The template has no points");
   await button(page, "Undo").click();
   await expect(page.getByRole("alert")).toBeEmpty();
-  await stroke(page, "Reference", ellipse(0.2, 0.2, 0.85, 0.5));
+  await stroke(page, "Reference", ellipse(0.1, 0.1, 0.5, 0.95));
   await expect(page.getByRole("alert")).toContainText("crosses the border");
   await button(page, "Redo").click();
   await expect(page.getByRole("alert")).toBeEmpty();

@@ -76,10 +76,13 @@ export function draw(
   const [painter, image] = [lazy.peek(), picture.peek()];
   if (view.peek() === "grid" || !match || !painter || !image) drawResult(context, frame, colours, scene);
   else painter.views.drawView(view.peek(), context, frame, colours, { match, morph, bandwidth, limit, picture: image });
+  // What comes over it leaves no trace in the next picture.
+  context.save();
   const over = arrows.peek();
   if (match && over?.of === match.deformation) over.draw(context, frame, match, morph);
   const asked = guess.peek();
   if (match && asked?.of === match.deformation) asked.draw(context, frame);
+  context.restore();
   // What is pulled back is seen where it was.
   const shown = view.peek() === "pullback" ? 0 : morph;
   const tools = kit.peek();

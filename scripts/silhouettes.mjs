@@ -37,13 +37,20 @@ await main(async () => {
 
 /** In the browser: every silhouette as the import dialog gives its largest part, filled. */
 async function outlines() {
-  const modules = ["gallery/index.ts", "gallery/icons.ts", "controls/importDraft.ts", "shapes/import/path.ts"];
-  const [{ collections }, { ICONS }, { begun, outcome }, { flattened, parsePath }] = await Promise.all(
-    modules.map((path) => import(`/www/${path}`)),
+  const [{ collections }, { ICONS }, { begun, selectionOf }, { Content }, { flattened, parsePath }] = await Promise.all(
+    [
+      "gallery/index.ts",
+      "gallery/icons.ts",
+      "controls/importDraft.ts",
+      "shapes/import/content.ts",
+      "shapes/import/path.ts",
+    ].map((path) => import(`/www/${path}`)),
   );
   /** @param {string} name @param {import("../www/shapes/import/found").Found} found */
   const outline = (name, found) => {
-    const { prepared } = outcome({ ...begun(found, name, null), parts: "largest", holes: "fill" });
+    const content = new Content(found);
+    const wishes = { ...selectionOf(begun(content.offer, name, null)), parts: "largest", holes: "fill" };
+    const { prepared } = content.outcome(wishes);
     const points = (/** @type {Float64Array} */ loop) =>
       Array.from({ length: loop.length / 2 }, (_, i) =>
         [loop[2 * i], loop[2 * i + 1]].map((x) => Number(x.toFixed(6))),

@@ -12,38 +12,35 @@ use crate::small::{apply, cofactor, determinant, dot};
 const MAX_STEPS: usize = 50;
 const ACCURACY: f64 = 1e-8;
 
-/// Sweeps of smoothing that may unfold a nodal inverse.
-const MAX_SWEEPS: usize = 200;
+/// Sweeps of smoothing that may unfold a nodal inverse, and after how many of them the next ring of nodes joins in.
+const MAX_SWEEPS: usize = 400;
+const SWEEPS_OF_RING: usize = 40;
 
-/// The displacement of φ⁻¹ at the nodes, φ = x + u; none if some node has no preimage or folds stay.
+/// The displacement of φ⁻¹ at the nodes, φ = x + u; none if φ folds, or the inverse does.
 ///
-/// Where φ⁻¹ varies strongly within a cell, its nodal interpolant may fold though φ⁻¹ does not; nodes of such cells are
-/// moved to the mean of their neighbours until no cell folds.
+/// Where φ⁻¹ varies strongly within a cell, its nodal interpolant may fold though φ⁻¹ does not; nodes of such cells, and
+/// ever more around those that stay folded, are moved to the mean of their neighbours until no cell folds.
 pub fn invert<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec<f64>> {
-    smooth_folds(grid, nodal_inverse(grid, displacement)?)
+    let is_folded = nodes_of_folds(grid, displacement).contains(&true);
+    if is_folded { None } else { smooth_folds(grid, nodal_inverse(grid, displacement)) }
 }
 
-/// Moves the nodes of folded cells to the mean of their neighbours until no cell folds; none if folds stay.
 fn smooth_folds<const D: usize>(grid: Grid<D>, mut displacement: Vec<f64>) -> Option<Vec<f64>> {
-    for _ in 0..MAX_SWEEPS {
-        let folded = nodes_of_folds(grid, &displacement);
-        if !folded.contains(&true) {
+    for sweep in 0..MAX_SWEEPS {
+        let mut moving = nodes_of_folds(grid, &displacement);
+        if !moving.contains(&true) {
             return Some(displacement);
         }
+        for _ in 0..sweep / SWEEPS_OF_RING {
+            moving = with_neighbours(grid, &moving);
+        }
         let before = displacement.clone();
-        for node in (0..grid.node_count()).filter(|&node| folded[node]) {
-            let index = grid.node_index(node);
+        for node in (0..grid.node_count()).filter(|&node| moving[node]) {
             let (mut sum, mut count) = ([0.0; D], 0.0);
-            for (axis, &i) in index.iter().enumerate() {
-                for neighbour in
-                    [(i > 0).then(|| node - grid.stride(axis)), (i < grid.cells()).then(|| node + grid.stride(axis))]
-                        .into_iter()
-                        .flatten()
-                {
-                    count += 1.0;
-                    for k in 0..D {
-                        sum[k] += before[neighbour * D + k];
-                    }
+            for neighbour in neighbours(grid, node) {
+                count += 1.0;
+                for k in 0..D {
+                    sum[k] += before[neighbour * D + k];
                 }
             }
             for k in 0..D {
@@ -54,7 +51,19 @@ fn smooth_folds<const D: usize>(grid: Grid<D>, mut displacement: Vec<f64>) -> Op
     None
 }
 
-/// Whether each node belongs to a cell with a determinant at some corner that is not positive.
+fn neighbours<const D: usize>(grid: Grid<D>, node: usize) -> impl Iterator<Item = usize> {
+    let index = grid.node_index(node);
+    (0..D).flat_map(move |axis| {
+        let (i, stride) = (index[axis], grid.stride(axis));
+        [(i > 0).then(|| node - stride), (i < grid.cells()).then(|| node + stride)].into_iter().flatten()
+    })
+}
+
+fn with_neighbours<const D: usize>(grid: Grid<D>, nodes: &[bool]) -> Vec<bool> {
+    (0..nodes.len()).map(|node| nodes[node] || neighbours(grid, node).any(|other| nodes[other])).collect()
+}
+
+/// The nodes of all cells with a determinant at some corner that is not positive.
 fn nodes_of_folds<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Vec<bool> {
     let offsets = grid.corner_offsets();
     let mut nodes = vec![false; grid.node_count()];
@@ -78,28 +87,24 @@ fn nodes_of_folds<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Vec<bo
     nodes
 }
 
-/// The displacement of φ⁻¹ at each node; none if some node has no preimage that Newton's method finds.
+/// The displacement of φ⁻¹ at each node.
 ///
-/// Each node starts from the preimage of its neighbour. Beyond φ's image of the box the boundary cell's polynomial
-/// goes on, as it does in [`interpolate`].
-fn nodal_inverse<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Option<Vec<f64>> {
+/// Beyond φ's image of the box the boundary cell's polynomial goes on, as it does in [`interpolate`]. Where it leads
+/// nowhere a node moves with the one before it: what is out there only has to stay in order.
+fn nodal_inverse<const D: usize>(grid: Grid<D>, displacement: &[f64]) -> Vec<f64> {
+    let preimages = Inverse::new(grid, displacement);
     let mut inverse = vec![0.0; displacement.len()];
     for node in 0..grid.node_count() {
         let target = grid.position(node);
         let before = [1, grid.side()].into_iter().find(|&back| node >= back && (back > 1 || node % grid.side() != 0));
-        let guess: [f64; D] = match before {
-            Some(back) => {
-                let position = grid.position(node - back);
-                std::array::from_fn(|k| position[k] + inverse[(node - back) * D + k])
-            }
-            None => target,
-        };
-        let preimage = solve(grid, displacement, &target, guess)?;
+        let shift: [f64; D] = before.map_or([0.0; D], |back| std::array::from_fn(|k| inverse[(node - back) * D + k]));
+        let guess = std::array::from_fn(|k| target[k] + shift[k]);
+        let preimage = preimages.at(&target).or_else(|| solve(grid, displacement, &target, guess));
         for k in 0..D {
-            inverse[node * D + k] = preimage[k] - target[k];
+            inverse[node * D + k] = preimage.map_or(shift[k], |preimage| preimage[k] - target[k]);
         }
     }
-    Some(inverse)
+    inverse
 }
 
 fn solve<const D: usize>(grid: Grid<D>, displacement: &[f64], target: &[f64; D], mut x: [f64; D]) -> Option<[f64; D]> {

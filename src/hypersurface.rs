@@ -5,7 +5,7 @@ mod march;
 mod tree;
 
 pub use loops::Loop;
-pub use tree::Tree;
+pub use tree::{Nearest, Tree};
 
 use crate::field::interpolate;
 use crate::grid::Grid;
@@ -47,6 +47,12 @@ impl<const D: usize> Hypersurface<D> {
 
     fn corners(&self, simplex: usize) -> [[f64; D]; D] {
         self.simplices[simplex].map(|corner| self.points[corner as usize])
+    }
+
+    /// The point of a simplex in which its corners have these shares.
+    pub fn point_at(&self, simplex: usize, shares: &[f64; D]) -> [f64; D] {
+        let corners = self.corners(simplex);
+        std::array::from_fn(|axis| (0..D).map(|k| shares[k] * corners[k][axis]).sum())
     }
 
     /// The middle and the measure of each simplex.

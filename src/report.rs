@@ -1,7 +1,6 @@
 //! How good a match is: both distances, and how much of the template's outline φ(M1) makes up.
 
 use crate::distance::SignedDistance;
-use crate::field::interpolate;
 use crate::grid::Grid;
 use crate::hypersurface::{Hypersurface, Tree, image};
 use std::sync::Arc;
@@ -18,7 +17,7 @@ pub struct Spread<const D: usize> {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report<const D: usize> {
-    /// |d2(φ)| along M1.
+    /// The distance of points of φ(M1) to M2.
     pub mismatch: Spread<D>,
     /// The distance of points of M2 to φ(M1).
     pub cover: Spread<D>,
@@ -42,8 +41,9 @@ pub struct Stretch {
 /// is nothing that a deformation could smooth.
 pub struct Outlines<const D: usize> {
     grid: Grid<D>,
-    template: SignedDistance<D>,
     given: [Arc<Hypersurface<D>>; 2],
+    /// Of the template as given.
+    aim: Tree<D>,
     seen: [Hypersurface<D>; 2],
     /// Of the template's zero set.
     measure: f64,
@@ -53,28 +53,21 @@ impl<const D: usize> Outlines<D> {
     pub fn new(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self {
         assert_eq!(template.grid(), reference.grid(), "both shapes live on one grid");
         let seen = [reference, template].map(|shape| Hypersurface::zero_set(shape.grid(), shape.values()));
-        Self {
-            grid: reference.grid(),
-            template: template.clone(),
-            given: [reference.outline(), template.outline()],
-            measure: seen[1].measure(),
-            seen,
-        }
+        let given = [reference.outline(), template.outline()];
+        Self { grid: reference.grid(), aim: Tree::new(given[1].clone()), given, measure: seen[1].measure(), seen }
     }
 
     /// Measures φ = x + u, u at the nodes of the grid.
     pub fn report(&self, displacement: &[f64]) -> Report<D> {
-        let Self { grid, template, given: [from, to], seen, .. } = self;
+        let Self { grid, aim, given: [from, to], seen, .. } = self;
         assert_eq!(displacement.len(), grid.node_count() * D, "D numbers a node");
         let cells = grid.cells() as f64;
         let mismatch = Spread::along(from, |x| {
             let y = image(*grid, displacement, x);
-            let [d] = interpolate::<D, 1>(*grid, template.values(), &y);
-            (d.abs() * cells, y)
+            (aim.distance(&y) * cells, y)
         });
-        let matched = from.moved(*grid, displacement);
-        let tree = Tree::new(&matched);
-        let cover = Spread::along(to, |y| (tree.distance(y) * cells, *y));
+        let matched = Tree::new(from.moved(*grid, displacement));
+        let cover = Spread::along(to, |y| (matched.distance(y) * cells, *y));
         let matched = seen[0].moved(*grid, displacement);
         let measure = ratio(matched.measure(), self.measure);
         Report { mismatch, cover, measure, stretch: Stretch::of(&seen[0], &matched) }

@@ -2,17 +2,28 @@
 
 use super::Hypersurface;
 use crate::order::ascending;
+use std::sync::Arc;
 
 /// Simplices that are tried one by one.
 const LEAF: usize = 4;
 
 /// Boxes around simplices, halved again and again along their longest side.
-pub struct Tree<'a, const D: usize> {
-    surface: &'a Hypersurface<D>,
+pub struct Tree<const D: usize> {
+    surface: Arc<Hypersurface<D>>,
     /// The simplices, those of a box next to each other.
     order: Vec<u32>,
     /// In depth-first order.
     boxes: Vec<Bounds<D>>,
+}
+
+/// The point of a surface that is nearest to another.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest<const D: usize> {
+    pub distance: f64,
+    /// The simplex on which it lies,
+    pub simplex: usize,
+    /// and the shares of its corners in it.
+    pub shares: [f64; D],
 }
 
 #[derive(Clone, Copy)]
@@ -26,8 +37,9 @@ struct Bounds<const D: usize> {
     second: u32,
 }
 
-impl<'a, const D: usize> Tree<'a, D> {
-    pub fn new(surface: &'a Hypersurface<D>) -> Self {
+impl<const D: usize> Tree<D> {
+    pub fn new(surface: impl Into<Arc<Hypersurface<D>>>) -> Self {
+        let surface = surface.into();
         let centres: Vec<[f64; D]> = surface.middles().map(|(middle, _)| middle).collect();
         let mut tree = Self { surface, order: (0..centres.len() as u32).collect(), boxes: Vec::new() };
         if !centres.is_empty() {
@@ -64,14 +76,19 @@ impl<'a, const D: usize> Tree<'a, D> {
 
     /// The distance of a point to the surface; infinite if there is none, or if the point or all of it is not finite.
     pub fn distance(&self, point: &[f64; D]) -> f64 {
-        let mut least = f64::INFINITY;
-        if let Some(bounds) = self.boxes.first() {
-            self.search(0, bounds.distance_squared(point), point, &mut least);
-        }
-        least.sqrt()
+        self.nearest(point).map_or(f64::INFINITY, |nearest| nearest.distance)
     }
 
-    fn search(&self, place: usize, away: f64, point: &[f64; D], least: &mut f64) {
+    /// The nearest point of the surface.
+    pub fn nearest(&self, point: &[f64; D]) -> Option<Nearest<D>> {
+        let (mut least, mut found) = (f64::INFINITY, None);
+        if let Some(bounds) = self.boxes.first() {
+            self.search(0, bounds.distance_squared(point), point, &mut least, &mut found);
+        }
+        found
+    }
+
+    fn search(&self, place: usize, away: f64, point: &[f64; D], least: &mut f64, found: &mut Option<Nearest<D>>) {
         if away >= *least {
             return;
         }
@@ -79,17 +96,18 @@ impl<'a, const D: usize> Tree<'a, D> {
         if bounds.second == 0 {
             let part = bounds.first as usize..(bounds.first + bounds.count) as usize;
             for &simplex in &self.order[part] {
-                let square = distance_squared(point, &self.surface.corners(simplex as usize));
+                let (square, shares) = foot(point, &self.surface.corners(simplex as usize));
                 if square < *least {
                     *least = square;
+                    *found = Some(Nearest { distance: square.sqrt(), simplex: simplex as usize, shares });
                 }
             }
             return;
         }
         let halves = [place + 1, bounds.second as usize].map(|half| (half, self.boxes[half].distance_squared(point)));
         let [near, far] = if halves[1].1 < halves[0].1 { [halves[1], halves[0]] } else { halves };
-        self.search(near.0, near.1, point, least);
-        self.search(far.0, far.1, point, least);
+        self.search(near.0, near.1, point, least, found);
+        self.search(far.0, far.1, point, least, found);
     }
 }
 
@@ -105,38 +123,37 @@ impl<const D: usize> Bounds<D> {
     }
 }
 
-/// The squared distance to the simplex with these corners, at most three.
-fn distance_squared<const D: usize>(point: &[f64; D], corners: &[[f64; D]]) -> f64 {
+/// The squared distance to a simplex, and the shares of its corners in the point that is nearest.
+fn foot<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D]) -> (f64, [f64; D]) {
     let between = |from: &[f64; D], to: &[f64; D]| -> [f64; D] { std::array::from_fn(|axis| to[axis] - from[axis]) };
     let product = |a: &[f64; D], b: &[f64; D]| -> f64 { (0..D).map(|axis| a[axis] * b[axis]).sum() };
-    let offset = between(&corners[0], point);
-    match corners.len() {
-        1 => product(&offset, &offset),
-        2 => {
-            let along = between(&corners[0], &corners[1]);
-            let square = product(&along, &along);
-            let t = if square > 0.0 { (product(&offset, &along) / square).clamp(0.0, 1.0) } else { 0.0 };
-            let foot: [f64; D] = std::array::from_fn(|axis| offset[axis] - t * along[axis]);
-            product(&foot, &foot)
+    let on_edge = |i: usize, j: usize| {
+        let (offset, along) = (between(&corners[i], point), between(&corners[i], &corners[j]));
+        let square = product(&along, &along);
+        let t = if square > 0.0 { (product(&offset, &along) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let away: [f64; D] = std::array::from_fn(|axis| offset[axis] - t * along[axis]);
+        let mut shares = [0.0; D];
+        (shares[i], shares[j]) = (1.0 - t, t);
+        (product(&away, &away), shares)
+    };
+    if D == 3 {
+        let offset = between(&corners[0], point);
+        let (a, b) = (between(&corners[0], &corners[1]), between(&corners[0], &corners[2]));
+        let (aa, ab, bb) = (product(&a, &a), product(&a, &b), product(&b, &b));
+        let (oa, ob) = (product(&offset, &a), product(&offset, &b));
+        let det = aa * bb - ab * ab;
+        let (s, t) = ((oa * bb - ob * ab) / det, (ob * aa - oa * ab) / det);
+        // A triangle without area divides by zero and fails the comparison.
+        if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
+            let away: [f64; D] = std::array::from_fn(|axis| offset[axis] - s * a[axis] - t * b[axis]);
+            let shares = [1.0 - s - t, s, t];
+            return (product(&away, &away), std::array::from_fn(|k| shares[k]));
         }
-        _ => {
-            let (a, b) = (between(&corners[0], &corners[1]), between(&corners[0], &corners[2]));
-            let (aa, ab, bb) = (product(&a, &a), product(&a, &b), product(&b, &b));
-            let (oa, ob) = (product(&offset, &a), product(&offset, &b));
-            let det = aa * bb - ab * ab;
-            let (s, t) = ((oa * bb - ob * ab) / det, (ob * aa - oa * ab) / det);
-            // A triangle without area divides by zero and fails the comparison.
-            if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
-                let foot: [f64; D] = std::array::from_fn(|axis| offset[axis] - s * a[axis] - t * b[axis]);
-                return product(&foot, &foot);
-            }
-            // The nearest point lies on an edge.
-            [[0, 1], [1, 2], [2, 0]]
-                .map(|[i, j]| distance_squared(point, &[corners[i], corners[j]]))
-                .into_iter()
-                .fold(f64::INFINITY, f64::min)
-        }
+        // The nearest point lies on an edge.
+        let edges = [on_edge(0, 1), on_edge(1, 2), on_edge(2, 0)];
+        return edges.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, [0.0; D]));
     }
+    on_edge(0, 1)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -167,7 +184,7 @@ mod tests {
     fn agrees<const D: usize>(points: Vec<[f64; D]>, point: [f64; D]) -> Result<(), TestCaseError> {
         let simplices = (0..points.len() / D).map(|k| std::array::from_fn(|i| (k * D + i) as u32)).collect();
         let surface = Hypersurface::new(points, simplices);
-        let (found, expected) = (Tree::new(&surface).distance(&point), sampled(&surface, point));
+        let (found, expected) = (Tree::new(surface.clone()).distance(&point), sampled(&surface, point));
         prop_assert!(found <= expected + 1e-12 && expected - found < 0.05, "{found} is not {expected}");
         Ok(())
     }
@@ -186,8 +203,8 @@ mod tests {
 
     #[test]
     fn nothing_is_infinitely_far_away() {
-        assert_eq!(Tree::new(&Hypersurface::<2>::default()).distance(&[0.5, 0.5]), f64::INFINITY);
+        assert_eq!(Tree::new(Hypersurface::<2>::default()).distance(&[0.5, 0.5]), f64::INFINITY);
         let surface = Hypersurface::new(vec![[0.0, 0.0], [1.0, 0.0]], vec![[0, 1]]);
-        assert_eq!(Tree::new(&surface).distance(&[f64::NAN, 0.5]), f64::INFINITY);
+        assert_eq!(Tree::new(surface).distance(&[f64::NAN, 0.5]), f64::INFINITY);
     }
 }

@@ -24,6 +24,8 @@ pub struct Cascade<const D: usize> {
     shapes: [Rc<SignedDistance<D>>; 2],
     ties: Ties<D>,
     level: Level<D>,
+    /// Of iterations on the finest level.
+    limit: usize,
     /// Evaluations before this level.
     past_evaluations: usize,
     progress: Progress,
@@ -36,11 +38,13 @@ pub(crate) struct Ties<const D: usize> {
     pub pins: Rc<[Pin<D>]>,
     /// To lead the shell on levels before the finest.
     pub guide: Rc<[Pin<D>]>,
+    /// To draw it to what it has missed, on the finest level.
+    pub missed: Rc<[Pin<D>]>,
 }
 
 impl<const D: usize> Ties<D> {
     pub fn of(pins: Rc<[Pin<D>]>) -> Self {
-        Self { pins, guide: Rc::default() }
+        Self { pins, guide: Rc::default(), missed: Rc::default() }
     }
 }
 
@@ -120,12 +124,12 @@ impl<const D: usize> Cascade<D> {
         let evaluation = level.energy().await;
         check_energy(&evaluation)?;
         let progress = Progress { evaluation, iterations: 0, evaluations: 0, stop: None };
-        Ok(Self { settings, shapes, ties, level, past_evaluations, progress })
+        Ok(Self { settings, shapes, ties, level, limit: usize::MAX, past_evaluations, progress })
     }
 
-    /// Ends the present level after this many iterations.
+    /// Ends the finest level after this many iterations.
     pub(crate) fn limit(&mut self, iterations: usize) {
-        self.level.limit(iterations);
+        self.limit = iterations;
     }
 
     /// One iteration, on the next level if this one has ended; nothing once the finest has.
@@ -140,6 +144,9 @@ impl<const D: usize> Cascade<D> {
         }
         if self.progress.stop.is_none() {
             self.progress = self.level.step().await;
+            if self.level.number == self.settings.finest && self.progress.iterations >= self.limit {
+                self.progress.stop = self.progress.stop.or(Some(Stop::Refined));
+            }
         }
         self.progress()
     }

@@ -5,6 +5,7 @@
 //! keeps it out of details, or where the aim has limbs too far from its own. For each there is a step.
 
 mod guide;
+mod missed;
 mod plan;
 
 pub use plan::Approach;
@@ -20,6 +21,7 @@ use crate::minimize::Stop;
 use crate::report::report;
 use crate::settings::{Alignment, Settings};
 use guide::guide;
+use missed::missed;
 use plan::{Fit, Plan};
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -28,7 +30,9 @@ use std::rc::Rc;
 /// exchange avoids.
 const REFINEMENT: usize = 10;
 /// Iterations of sharpening.
-const SHARPENING: usize = 15;
+const SHARPENING: usize = 25;
+/// Iterations on the finest level after which a run is judged: those that take more creep, and sharpening gets farther.
+const EXPLORATION: usize = 40;
 
 /// A registration under way.
 pub struct Search<const D: usize> {
@@ -42,6 +46,8 @@ pub struct Search<const D: usize> {
     plan: Plan,
     /// The best so far: u on the finest level.
     best: Option<(Fit, Vec<f64>)>,
+    /// What sharpening draws the shell to.
+    missed: Vec<Pin<D>>,
     /// Evaluations of the runs before this one.
     past_evaluations: usize,
     stop: Option<Stop>,
@@ -95,7 +101,10 @@ impl<const D: usize> Search<D> {
             Alignment::Similarity => Plan::of(&shapes[0], &shapes[1]),
         };
         let approach = plan.next(None).expect("a plan has a first approach");
-        let run = Cascade::begin(in_direction(&shapes, approach), tied(&pins, approach), settings).await?;
+        let mut run = Cascade::begin(in_direction(&shapes, approach), tied(&pins, approach), settings).await?;
+        if !plan.is_single() {
+            run.limit(settings.minimizer.iterations(EXPLORATION));
+        }
         Ok(Self {
             settings,
             shapes,
@@ -104,6 +113,7 @@ impl<const D: usize> Search<D> {
             run,
             plan,
             best: None,
+            missed: Vec::new(),
             past_evaluations: 0,
             stop: None,
             inverse: OnceCell::new(),
@@ -176,7 +186,7 @@ impl<const D: usize> Search<D> {
         {
             // Refinement may also make it worse.
             self.consider();
-            self.run.limit(REFINEMENT);
+            self.limit(REFINEMENT);
             return true;
         }
         let sharper = Approach::SharpenedExchanged;
@@ -184,9 +194,7 @@ impl<const D: usize> Search<D> {
             return false;
         }
         let displacement = self.run.displacement().to_vec();
-        let begun = self.begin_from(sharper, sharper.settings(&self.settings), displacement).await;
-        self.run.limit(SHARPENING);
-        begun
+        self.sharpen(sharper, displacement).await
     }
 
     /// Keeps the present run's result if it is the best so far.
@@ -201,13 +209,18 @@ impl<const D: usize> Search<D> {
     async fn begin(&mut self, approach: Approach) -> bool {
         let settings = approach.settings(&self.settings);
         if let Approach::Sharpened(_) = approach {
-            let Some((_, displacement)) = &self.best else { return false };
-            let begun = self.begin_from(approach, settings, displacement.clone()).await;
-            self.run.limit(SHARPENING);
-            return begun;
+            // A round may be worse by one measure that the next one mends.
+            let present = self.run.displacement();
+            let displacement = match (&self.best, self.approach) {
+                (_, Approach::Sharpened(_)) => present.to_vec(),
+                (Some((_, best)), _) => best.clone(),
+                (None, _) => return false,
+            };
+            return self.sharpen(approach, displacement).await;
         }
         match self.start(approach, settings).await {
-            Ok(run) => {
+            Ok(mut run) => {
+                run.limit(self.settings.minimizer.iterations(EXPLORATION));
                 self.enter(approach, run);
                 true
             }
@@ -227,7 +240,30 @@ impl<const D: usize> Search<D> {
 
     /// Begins a run on the finest level. A deformation that has no finite energy under other settings is no beginning.
     async fn begin_from(&mut self, approach: Approach, settings: Settings, displacement: Vec<f64>) -> bool {
-        let (shapes, ties) = (in_direction(&self.shapes, approach), tied(&self.pins, approach));
+        self.begin_tied(approach, settings, displacement, tied(&self.pins, approach)).await
+    }
+
+    /// Begins to sharpen a match.
+    async fn sharpen(&mut self, approach: Approach, displacement: Vec<f64>) -> bool {
+        let mut ties = tied(&self.pins, approach);
+        if !matches!(self.approach, Approach::Sharpened(_)) {
+            self.missed.clear();
+        }
+        self.missed = missed(&in_direction(&self.shapes, approach), &displacement, &self.missed);
+        ties.missed = self.missed.as_slice().into();
+        let begun = self.begin_tied(approach, approach.settings(&self.settings), displacement, ties).await;
+        self.limit(SHARPENING);
+        begun
+    }
+
+    async fn begin_tied(
+        &mut self,
+        approach: Approach,
+        settings: Settings,
+        displacement: Vec<f64>,
+        ties: Ties<D>,
+    ) -> bool {
+        let shapes = in_direction(&self.shapes, approach);
         let grid = Grid::of_level(settings.finest);
         match Cascade::resume(shapes, ties, settings, settings.finest, grid, displacement).await {
             Ok(run) => {
@@ -236,6 +272,11 @@ impl<const D: usize> Search<D> {
             }
             Err(_) => false,
         }
+    }
+
+    /// Ends the present run after this many iterations of Newton's method on the finest level.
+    fn limit(&mut self, iterations: usize) {
+        self.run.limit(self.settings.minimizer.iterations(iterations));
     }
 
     fn enter(&mut self, approach: Approach, run: Cascade<D>) {

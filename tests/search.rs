@@ -4,6 +4,7 @@ mod common;
 
 use common::{circle, ellipse, polar, star};
 use glam::DVec2;
+use std::f64::consts::TAU;
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::minimize::Stop;
@@ -79,7 +80,7 @@ fn gap_disc(width: f64) -> Vec<DVec2> {
     let count = 200;
     let mut points: Vec<DVec2> = (0..=count)
         .map(|k| {
-            let angle = opening + (std::f64::consts::TAU - 2.0 * opening) * f64::from(k) / f64::from(count);
+            let angle = opening + (TAU - 2.0 * opening) * f64::from(k) / f64::from(count);
             DVec2::from(CENTRE) + 0.25 * DVec2::from_angle(angle)
         })
         .collect();
@@ -93,6 +94,24 @@ fn a_deep_gap_is_entered_along_corresponding_points() {
     assert_eq!(outcome.approaches[..2], [Approach::Direct, Approach::Guided]);
     assert!(outcome.report.cover.max < 2.0, "{:?}", outcome.report);
     assert!(outcome.least_determinant > 0.0);
+}
+
+#[test]
+fn a_gap_closes_by_the_inverse_of_its_opening() {
+    // Where the gap was, φ⁻¹ varies within a cell: its nodal interpolant has to be unfolded.
+    let outcome = run(finest(7), &[gap_disc(0.1)], &[circle(CENTRE, 0.25)]);
+    assert!(outcome.approaches.contains(&Approach::Inverted), "{:?}", outcome.approaches);
+    assert!(is_good(&outcome), "{:?} {:?}", outcome.report, outcome.approaches);
+}
+
+#[test]
+fn sharp_tips_are_reached() {
+    // Each point of a shell that rounds a tip off is near the template; the tip is not near the shell.
+    let tips: Vec<DVec2> =
+        (0..10).map(|k| DVec2::from(CENTRE) + [0.4, 0.12][k % 2] * DVec2::from_angle(TAU * k as f64 / 10.0)).collect();
+    let outcome = run(finest(6), &[circle(CENTRE, 0.2)], &[tips]);
+    assert!(outcome.approaches.contains(&Approach::Sharpened(1)), "{:?}", outcome.approaches);
+    assert!(is_good(&outcome), "{:?} {:?}", outcome.report, outcome.approaches);
 }
 
 #[test]

@@ -2,7 +2,7 @@ use super::Ties;
 use crate::assemble::{Assembler, CpuAssembler, Evaluation};
 use crate::distance::SignedDistance;
 use crate::grid::Grid;
-use crate::minimize::{Minimizer, Ncg, Newton, Progress, Stop};
+use crate::minimize::{Minimizer, Ncg, Newton, Progress};
 use crate::settings::{MinimizerKind, Settings};
 use std::rc::Rc;
 
@@ -10,8 +10,9 @@ use std::rc::Rc;
 /// this one's minimum are not worth their iterations.
 const COARSE_TOLERANCE: f64 = 1e-4;
 
-/// Weight of each point of a guide.
+/// Weight of each point of a guide, and of each that has been missed.
 const GUIDE_WEIGHT: f64 = 0.3;
+const MISSED_WEIGHT: f64 = 2.0;
 
 /// What one level needs.
 pub(super) struct Level<const D: usize> {
@@ -20,7 +21,6 @@ pub(super) struct Level<const D: usize> {
     /// The shell and its aim on this level.
     shapes: [SignedDistance<D>; 2],
     minimizer: AnyMinimizer<D>,
-    limit: usize,
 }
 
 impl<const D: usize> Level<D> {
@@ -37,10 +37,12 @@ impl<const D: usize> Level<D> {
         assembler.tie(&ties.pins, settings.pin_weight);
         if number < settings.finest {
             assembler.tie(&ties.guide, GUIDE_WEIGHT);
+        } else {
+            assembler.tie(&ties.missed, MISSED_WEIGHT);
         }
         let displacement = displacement.unwrap_or_else(|| vec![0.0; shapes[0].grid().node_count() * D]);
         let minimizer = AnyMinimizer::new(number, settings, displacement);
-        Self { number, assembler, shapes, minimizer, limit: usize::MAX }
+        Self { number, assembler, shapes, minimizer }
     }
 
     /// Begins again from another displacement.
@@ -64,16 +66,8 @@ impl<const D: usize> Level<D> {
         }
     }
 
-    pub fn limit(&mut self, iterations: usize) {
-        self.limit = iterations;
-    }
-
     pub async fn step(&mut self) -> Progress {
-        let mut progress = self.minimizer.step(&mut self.assembler).await;
-        if progress.iterations >= self.limit {
-            progress.stop = progress.stop.or(Some(Stop::Refined));
-        }
-        progress
+        self.minimizer.step(&mut self.assembler).await
     }
 
     /// The energy at the present displacement.

@@ -5,7 +5,7 @@ use crate::align::{Similarity, neighbours, similarities};
 use crate::assemble::Assembler;
 use crate::distance::SignedDistance;
 use crate::minimize::Minimizer;
-use crate::settings::{MinimizerKind, Settings};
+use crate::settings::Settings;
 use std::rc::Rc;
 
 /// Turned similarities that are tried beside the one that does not turn and the identity.
@@ -13,8 +13,6 @@ const CANDIDATES: usize = 4;
 /// Iterations in each round of trials and how many starts stay in after it. The first energy does not tell a turned star
 /// from a folded one; the energy after some iterations does, and the hopeless need not be followed to the end.
 const ROUNDS: [(usize, usize); 3] = [(5, 3), (5, 2), (10, 1)];
-/// A gradient method needs this many iterations for one of Newton's.
-const NCG_ITERATIONS: usize = 10;
 /// By how much more energy a half turn must be beaten: among starts that are nearly as good the least rotation wins, for
 /// a circle is any turned circle.
 const TURN_PENALTY: f64 = 0.1;
@@ -78,10 +76,9 @@ pub(super) async fn find<const D: usize>(
         .into_iter()
         .map(|Trial { rank, turn, state }| Trial { rank, turn, state: AnyMinimizer::new(number, settings, state) })
         .collect();
-    let slow = if settings.minimizer == MinimizerKind::Ncg { NCG_ITERATIONS } else { 1 };
     for (iterations, remaining) in ROUNDS {
         for trial in &mut trials {
-            for _ in 0..slow * iterations {
+            for _ in 0..settings.minimizer.iterations(iterations) {
                 let progress = trial.state.step(assembler).await;
                 trial.rank = rank(progress.evaluation.total(), trial.turn);
                 *evaluations += 1;

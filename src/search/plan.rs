@@ -19,11 +19,14 @@ const GOOD_MEASURE: f64 = 1.1;
 /// An exchanged match is worth inverting if it is as close as this: errors of φ⁻¹ are stretched by φ.
 const INVERTED_MISMATCH: f64 = 1.0;
 const INVERTED_COVER: f64 = 2.0;
-/// A round of sharpening takes the thickness and the penalty of a grid with a quarter of the spacing.
-const SHARPER: f64 = 4.0;
-const SHARPENINGS: u8 = 2;
-/// Matches that are worse than this are not sharpened: what they miss is not detail.
-const SHARPENED_COST: f64 = 2.0;
+/// A round of sharpening takes the thickness and the penalty of a grid with an eighth of the spacing; those after it of
+/// an eighth of that.
+const SHARPER: f64 = 8.0;
+const SHARPEST: i32 = 2;
+const SHARPENINGS: u8 = 3;
+/// Matches that are worse than this are not sharpened: what they miss is not detail, or they have crumpled.
+const SHARPENED_COST: f64 = 6.0;
+const SHARPENED_MEASURE: f64 = 1.25;
 
 /// One way to look for a match.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,8 +37,8 @@ pub enum Approach {
     Exchanged,
     /// The inverse of an exchanged match, refined.
     Inverted,
-    /// The best match so far, drawn to the template as on a grid of a quarter of the spacing, or of less by as many
-    /// rounds.
+    /// The best match so far, drawn to the template as on a much finer grid, and most where it has missed it; the
+    /// number tells the round.
     Sharpened(u8),
     /// The same for an exchanged match that is not yet worth inverting.
     SharpenedExchanged,
@@ -60,7 +63,7 @@ impl Approach {
         match self {
             Self::Sharpened(_) | Self::SharpenedExchanged => {
                 let rounds = if let Self::Sharpened(rounds) = self { rounds } else { 1 };
-                let sharper = SHARPER.powi(rounds.into());
+                let sharper = SHARPER.powi(i32::from(rounds).min(SHARPEST));
                 Settings { penalty: sharper * settings.penalty, thickness: settings.thickness / sharper, ..*settings }
             }
             Self::Direct | Self::Exchanged | Self::Inverted | Self::Guided | Self::GuidedExchanged => *settings,
@@ -74,7 +77,7 @@ impl fmt::Display for Approach {
             Self::Direct => "Matching the reference with the template",
             Self::Exchanged => "Matching the other way round: the template with the reference",
             Self::Inverted => "Refining the inverse of the match found the other way round",
-            Self::Sharpened(_) => "Sharpening: the template pulls more strongly",
+            Self::Sharpened(_) => "Sharpening: the template pulls more strongly, most where it was missed",
             Self::Guided => "Matching along corresponding points of both outlines",
             Self::GuidedExchanged => "Matching the other way round, along corresponding points of both outlines",
             Self::SharpenedExchanged => "Sharpening the match found the other way round",
@@ -111,7 +114,7 @@ impl Fit {
 
     /// What it misses is detail.
     pub fn is_worth_sharpening(&self) -> bool {
-        self.measure <= GOOD_MEASURE && self.cost() <= SHARPENED_COST
+        self.measure <= SHARPENED_MEASURE && self.cost() <= SHARPENED_COST
     }
 
     pub fn is_worth_inverting(&self) -> bool {

@@ -21,6 +21,16 @@ pub enum MinimizerKind {
     Ncg,
 }
 
+impl MinimizerKind {
+    /// About as many iterations as so many of Newton's method.
+    pub(crate) fn iterations(self, newton: usize) -> usize {
+        match self {
+            Self::Newton => newton,
+            Self::Ncg => 10 * newton,
+        }
+    }
+}
+
 /// What computes. One processor serves both names for now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backend {

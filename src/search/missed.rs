@@ -1,0 +1,137 @@
+//! What a match has missed, as pins that draw it there.
+//!
+//! Each point of the shell is drawn to the aim, but nothing draws the aim's tips to the shell: in a corner that the shell
+//! rounds off, all its points may be near though the tip is not. A few ties help: of each such tip to the point of the
+//! shell that came nearest, and of each point of the shell that stays off to the nearest of the aim.
+
+use crate::distance::SignedDistance;
+use crate::energy::Pin;
+use crate::hypersurface::{Hypersurface, Tree};
+use crate::order::ascending;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// What is farther than this is tied, in cells.
+const MISSED_TIP: f64 = 0.5;
+const MISSED_POINT: f64 = 0.25;
+/// Ties are at least as far from each other, in cells, or as far as they are long.
+const APART: f64 = 2.0;
+const MOST: usize = 40;
+
+/// Pins from the shell to its aim where they are still apart, the longest first; then those of `before` that are not
+/// near any of them: a tip that has been reached would be lost again without.
+pub(super) fn missed<const D: usize>(
+    shapes: &[Rc<SignedDistance<D>>; 2],
+    displacement: &[f64],
+    before: &[Pin<D>],
+) -> Vec<Pin<D>> {
+    let grid = shapes[0].grid();
+    let cell = grid.spacing();
+    let [shell, aim] = [0, 1].map(|k| shapes[k].outline());
+    let matched = Arc::new(shell.moved(grid, displacement));
+    let (to_shell, to_aim) = (Tree::new(matched.clone()), Tree::new(aim.clone()));
+    let mut ties: Vec<(f64, Pin<D>)> = Vec::new();
+    for tip in places(&aim) {
+        if let Some(nearest) = to_shell.nearest(&tip)
+            && nearest.distance > MISSED_TIP * cell
+        {
+            let reference = shell.point_at(nearest.simplex, &nearest.shares);
+            ties.push((nearest.distance, Pin { reference, template: tip }));
+        }
+    }
+    for (point, image) in places(&shell).zip(places(&matched)) {
+        if let Some(nearest) = to_aim.nearest(&image)
+            && nearest.distance > MISSED_POINT * cell
+        {
+            let template = aim.point_at(nearest.simplex, &nearest.shares);
+            ties.push((nearest.distance, Pin { reference: point, template }));
+        }
+    }
+    let lengths: Vec<f64> = ties.iter().map(|(length, _)| -length).collect();
+    let in_order = ascending(&lengths).into_iter().map(|place| ties[place as usize]);
+    let mut chosen: Vec<Pin<D>> = Vec::new();
+    for (length, pin) in in_order.chain(before.iter().map(|&pin| (0.0, pin))) {
+        let apart = (APART * cell).max(length);
+        if chosen.len() < MOST && chosen.iter().all(|other| distance(&pin.template, &other.template) > apart) {
+            chosen.push(pin);
+        }
+    }
+    chosen
+}
+
+fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    (0..D).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// Corners, then middles.
+fn places<const D: usize>(surface: &Hypersurface<D>) -> impl Iterator<Item = [f64; D]> {
+    surface.points().iter().copied().chain(surface.middles().map(|(middle, _)| middle))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Grid;
+    use glam::DVec2;
+    use std::f64::consts::TAU;
+
+    const CELLS: usize = 64;
+
+    fn polygon(corners: u32, radius: f64) -> Rc<SignedDistance<2>> {
+        let corner = |k: u32| DVec2::splat(0.5) + radius * DVec2::from_angle(TAU * f64::from(k) / f64::from(corners));
+        let outline = (0..corners).map(corner).collect();
+        Rc::new(SignedDistance::from_loops(Grid::new(CELLS), &[outline]).expect("a valid shape"))
+    }
+
+    fn ball(centre: f64) -> Rc<SignedDistance<3>> {
+        let grid = Grid::<3>::new(24);
+        let value = |node| grid.position(node).map(|x| (x - centre).powi(2)).iter().sum::<f64>().sqrt() - 0.25;
+        Rc::new(SignedDistance::from_nodal(grid, (0..grid.node_count()).map(value).collect()))
+    }
+
+    fn still<const D: usize>(shape: &SignedDistance<D>) -> Vec<f64> {
+        vec![0.0; shape.grid().node_count() * D]
+    }
+
+    #[test]
+    fn a_shape_misses_nothing_of_itself() {
+        let (star, sphere) = (polygon(5, 0.3), ball(0.5));
+        assert_eq!(missed(&[star.clone(), star.clone()], &still(&star), &[]), []);
+        assert_eq!(missed(&[sphere.clone(), sphere.clone()], &still(&sphere), &[]), []);
+    }
+
+    #[test]
+    fn each_corner_that_is_cut_off_is_tied_to_the_middle_of_the_cut() {
+        let (square, circle) = (polygon(4, 0.4), polygon(360, 0.3));
+        let pins = missed(&[circle.clone(), square], &still(&circle), &[]);
+        for corner in 0..4 {
+            let direction = DVec2::from_angle(TAU * f64::from(corner) / 4.0);
+            let tied = pins[..4].iter().find(|pin| (DVec2::from(pin.template) - 0.5).distance(0.4 * direction) < 1e-9);
+            let tied = tied.unwrap_or_else(|| panic!("corner {corner} is not among the longest of {pins:?}"));
+            assert!((DVec2::from(tied.reference) - 0.5).distance(0.3 * direction) < 0.004, "{tied:?}");
+        }
+    }
+
+    #[test]
+    fn points_that_stay_off_are_tied_to_the_nearest_of_the_aim() {
+        let (from, to) = (ball(0.48), ball(0.52));
+        let (cell, pins) = (from.grid().spacing(), missed(&[from.clone(), to], &still(&from), &[]));
+        assert!(!pins.is_empty());
+        for pin in &pins {
+            let radius = |x: &[f64; 3], centre: f64| distance(x, &[centre; 3]);
+            assert!((radius(&pin.reference, 0.48) - 0.25).abs() < 0.1 * cell, "{pin:?} begins on the shell");
+            assert!((radius(&pin.template, 0.52) - 0.25).abs() < 0.1 * cell, "{pin:?} ends on the aim");
+            let length = distance(&pin.reference, &pin.template);
+            assert!((MISSED_POINT * cell..0.08).contains(&length), "{pin:?} is {length} long");
+        }
+    }
+
+    #[test]
+    fn ties_stay_until_new_ones_are_near() {
+        let (square, circle) = (polygon(4, 0.4), polygon(360, 0.3));
+        let tie = |template: [f64; 2]| Pin { reference: [0.5; 2], template };
+        let tip = tie([0.9, 0.5]);
+        assert_eq!(missed(&[square.clone(), square.clone()], &still(&square), &[tip]), [tip]);
+        assert!(!missed(&[circle.clone(), square], &still(&circle), &[tip]).contains(&tip));
+    }
+}

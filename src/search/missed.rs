@@ -6,7 +6,7 @@
 
 use crate::distance::SignedDistance;
 use crate::energy::Pin;
-use crate::hypersurface::{Hypersurface, Tree};
+use crate::hypersurface::{Hypersurface, Tree, image};
 use crate::order::ascending;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -14,12 +14,14 @@ use std::sync::Arc;
 /// What is farther than this is tied, in cells.
 const MISSED_TIP: f64 = 0.5;
 const MISSED_POINT: f64 = 0.25;
+/// A tie of an earlier round is kept if less than this is left of it, in cells.
+const REACHED: f64 = 1.0;
 /// Ties are at least as far from each other, in cells, or as far as they are long.
 const APART: f64 = 2.0;
 const MOST: usize = 40;
 
-/// Pins from the shell to its aim where they are still apart, the longest first; then those of `before` that are not
-/// near any of them: a tip that has been reached would be lost again without.
+/// Pins from the shell to its aim where they are still apart, the longest first; then those of `before` that have done
+/// their work: a tip that has been reached would be lost again without.
 pub(super) fn missed<const D: usize>(
     shapes: &[Rc<SignedDistance<D>>; 2],
     displacement: &[f64],
@@ -39,8 +41,8 @@ pub(super) fn missed<const D: usize>(
             ties.push((nearest.distance, Pin { reference, template: tip }));
         }
     }
-    for (point, image) in places(&shell).zip(places(&matched)) {
-        if let Some(nearest) = to_aim.nearest(&image)
+    for (point, place) in places(&shell).zip(places(&matched)) {
+        if let Some(nearest) = to_aim.nearest(&place)
             && nearest.distance > MISSED_POINT * cell
         {
             let template = aim.point_at(nearest.simplex, &nearest.shares);
@@ -50,7 +52,10 @@ pub(super) fn missed<const D: usize>(
     let lengths: Vec<f64> = ties.iter().map(|(length, _)| -length).collect();
     let in_order = ascending(&lengths).into_iter().map(|place| ties[place as usize]);
     let mut chosen: Vec<Pin<D>> = Vec::new();
-    for (length, pin) in in_order.chain(before.iter().map(|&pin| (0.0, pin))) {
+    let reached = before
+        .iter()
+        .filter(|pin| distance(&image(grid, displacement, &pin.reference), &pin.template) < REACHED * cell);
+    for (length, pin) in in_order.chain(reached.map(|&pin| (0.0, pin))) {
         let apart = (APART * cell).max(length);
         if chosen.len() < MOST && chosen.iter().all(|other| distance(&pin.template, &other.template) > apart) {
             chosen.push(pin);
@@ -127,11 +132,11 @@ mod tests {
     }
 
     #[test]
-    fn ties_stay_until_new_ones_are_near() {
+    fn ties_that_have_been_reached_stay_until_new_ones_are_near() {
         let (square, circle) = (polygon(4, 0.4), polygon(360, 0.3));
-        let tie = |template: [f64; 2]| Pin { reference: [0.5; 2], template };
-        let tip = tie([0.9, 0.5]);
-        assert_eq!(missed(&[square.clone(), square.clone()], &still(&square), &[tip]), [tip]);
-        assert!(!missed(&[circle.clone(), square], &still(&circle), &[tip]).contains(&tip));
+        let tie = |reference: [f64; 2]| Pin { reference, template: [0.9, 0.5] };
+        let (reached, far) = (tie([0.895, 0.5]), tie([0.85, 0.5]));
+        assert_eq!(missed(&[square.clone(), square.clone()], &still(&square), &[far, reached]), [reached]);
+        assert!(!missed(&[circle.clone(), square], &still(&circle), &[reached]).contains(&reached));
     }
 }

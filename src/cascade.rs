@@ -132,6 +132,11 @@ impl<const D: usize> Cascade<D> {
         self.limit = iterations;
     }
 
+    /// Whether the next step is the first one on the finest level.
+    pub(crate) fn is_about_to_refine(&self) -> bool {
+        self.progress.stop.is_some() && self.level.number + 1 == self.settings.finest
+    }
+
     /// One iteration, on the next level if this one has ended; nothing once the finest has.
     pub async fn step(&mut self) -> CascadeProgress {
         if self.progress.stop.is_some() && self.level.number < self.settings.finest {
@@ -142,11 +147,12 @@ impl<const D: usize> Cascade<D> {
             self.level.unfold(&self.settings).await;
             self.progress = Progress { iterations: 0, evaluations: 0, stop: None, ..self.progress };
         }
-        if self.progress.stop.is_none() {
+        let is_finest = self.level.number == self.settings.finest;
+        if self.progress.stop.is_none() && !(is_finest && self.limit == 0) {
             self.progress = self.level.step().await;
-            if self.level.number == self.settings.finest && self.progress.iterations >= self.limit {
-                self.progress.stop = self.progress.stop.or(Some(Stop::Refined));
-            }
+        }
+        if is_finest && self.progress.iterations >= self.limit {
+            self.progress.stop = self.progress.stop.or(Some(Stop::Refined));
         }
         self.progress()
     }

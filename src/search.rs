@@ -20,7 +20,7 @@ use crate::inverse::invert;
 use crate::minimize::Stop;
 use crate::report::report;
 use crate::settings::{Alignment, Settings};
-use guide::guide;
+use guide::{can_guide, guide};
 use missed::missed;
 use plan::{Fit, Plan};
 use std::cell::OnceCell;
@@ -149,11 +149,23 @@ impl<const D: usize> Search<D> {
     pub async fn step(&mut self) -> SearchProgress {
         if self.stop.is_none() {
             self.inverse.take();
+            if self.is_hopeless() {
+                self.run.limit(0);
+            }
             if let Some(stop) = self.run.step().await.stop {
                 self.conclude(stop).await;
             }
         }
         self.progress()
+    }
+
+    /// Whether the finest level would be wasted on a shell that is far from its aim, and can be led instead.
+    fn is_hopeless(&self) -> bool {
+        let [shell, aim] = self.run.shapes();
+        self.run.is_about_to_refine()
+            && self.plan.will_lead(self.approach)
+            && can_guide(&self.shapes)
+            && Fit::of(self.approach, &report(shell, aim, self.run.displacement())).is_hopeless()
     }
 
     /// Judges the run that has ended and begins the next one, or ends the search.
@@ -217,6 +229,9 @@ impl<const D: usize> Search<D> {
                 (None, _) => return false,
             };
             return self.sharpen(approach, displacement).await;
+        }
+        if approach.is_guided() && !can_guide(&self.shapes) {
+            return false;
         }
         match self.start(approach, settings).await {
             Ok(mut run) => {

@@ -18,6 +18,8 @@ const CENTRE: [f64; 2] = [0.5, 0.5];
 struct Outcome {
     /// In their order.
     approaches: Vec<Approach>,
+    /// Those that took iterations on the finest level.
+    refined: Vec<Approach>,
     report: Report<2>,
     least_determinant: f64,
     stop: Stop,
@@ -28,11 +30,21 @@ fn run(settings: Settings, reference: &[Vec<DVec2>], template: &[Vec<DVec2>]) ->
     let [from, to] = [reference, template].map(|loops| SignedDistance::from_loops(grid, loops).expect("a valid shape"));
     let mut search = ready(Search::new(from.clone(), to.clone(), settings)).expect("valid settings");
     let mut approaches = vec![search.progress().approach];
+    let mut refined = Vec::new();
     loop {
         let progress = ready(search.step());
+        if progress.level == settings.finest && progress.iteration > 0 && !refined.contains(&progress.approach) {
+            refined.push(progress.approach);
+        }
         if let Some(stop) = progress.stop {
             let report = report(&from, &to, search.displacement());
-            return Outcome { approaches, report, least_determinant: progress.evaluation.least_determinant, stop };
+            return Outcome {
+                approaches,
+                refined,
+                report,
+                least_determinant: progress.evaluation.least_determinant,
+                stop,
+            };
         }
         if *approaches.last().expect("begun above") != progress.approach {
             approaches.push(progress.approach);
@@ -92,6 +104,7 @@ fn gap_disc(width: f64) -> Vec<DVec2> {
 fn a_deep_gap_is_entered_along_corresponding_points() {
     let outcome = run(finest(7), &[circle(CENTRE, 0.25)], &[gap_disc(0.1)]);
     assert_eq!(outcome.approaches[..2], [Approach::Direct, Approach::Guided]);
+    assert_eq!(outcome.refined[0], Approach::Guided, "the finest level is not wasted on a shell that stays out");
     assert!(outcome.report.cover.max < 2.0, "{:?}", outcome.report);
     assert!(outcome.least_determinant > 0.0);
 }

@@ -9,8 +9,8 @@
 //! | `random` | blobs and stars, turned, scaled and shifted |
 //! | `PATH.json` | neighbours and third neighbours of a file of polygons, `[{ "name": …, "points": [[x, y], …] }, …]` |
 //!
-//! A match is good if |d2(φ)| ≤ 0.5 cells everywhere on the reference and no part of the template is further than a
-//! cell from the moved reference. A pair is resolvable if the necks and gaps of both shapes are two cells wide. The cost
+//! A match is good if no part of the moved reference is further than half a cell from the template and no part of the
+//! template is further than a cell from the moved reference. A pair is resolvable if the necks and gaps of both shapes are two cells wide. The cost
 //! counts iterations in units of the finest level. Pairs run on two threads, which changes their times and nothing else.
 
 #[path = "../../tests/common/mod.rs"]

@@ -35,16 +35,20 @@ const STRIDE: usize = 2;
 /// Share of the length of all outlines that one must have to be matched alone.
 const ALONE: f64 = 0.8;
 
+/// Whether there is a guide for these shapes.
+pub(super) fn can_guide<const D: usize>(shapes: &[Rc<SignedDistance<D>>; 2]) -> bool {
+    shapes.iter().all(|shape| only(&outlines(shape)).is_some())
+}
+
+/// Of a shape in the plane.
+fn outlines<const D: usize>(shape: &SignedDistance<D>) -> Vec<Vec<DVec2>> {
+    if D == 2 { zero_set(Grid::new(shape.grid().cells()), shape.values()) } else { Vec::new() }
+}
+
 /// Pins between the two outlines; none unless both are, but for specks, one closed curve in the plane. `displacement`, at the nodes of the
 /// shapes' grid, tells how far the first is turned, where something is known.
 pub(super) fn guide<const D: usize>(shapes: &[Rc<SignedDistance<D>>; 2], displacement: Option<&[f64]>) -> Vec<Pin<D>> {
-    if D != 2 {
-        return Vec::new();
-    }
-    let [first, second] = [0, 1].map(|k| {
-        let grid = Grid::<2>::new(shapes[k].grid().cells());
-        zero_set(grid, shapes[k].values())
-    });
+    let [first, second] = [0, 1].map(|k| outlines(&shapes[k]));
     let (Some(first), Some(second)) = (only(&first), only(&second)) else { return Vec::new() };
     let turn = displacement.map_or(DVec2::X, |u| turn_of(first, Grid::new(shapes[0].grid().cells()), u));
     let (from, to) = (Curve::of(first, turn), Curve::of(second, DVec2::X));

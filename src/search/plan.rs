@@ -16,6 +16,11 @@ const SHORTER: f64 = 0.9;
 const GOOD_MISMATCH: f64 = 0.5;
 const GOOD_COVER: f64 = 1.0;
 const GOOD_MEASURE: f64 = 1.1;
+/// One round of sharpening is worth its while if it is farther than this, though good.
+const FINE_MISMATCH: f64 = 0.25;
+const FINE_COVER: f64 = 0.5;
+/// In cells of the level before the finest.
+const HOPELESS_COST: f64 = 2.0;
 /// An exchanged match is worth inverting if it is as close as this: errors of φ⁻¹ are stretched by φ.
 const INVERTED_MISMATCH: f64 = 1.0;
 const INVERTED_COVER: f64 = 2.0;
@@ -112,9 +117,18 @@ impl Fit {
         self.is_close() && self.measure <= GOOD_MEASURE
     }
 
+    fn is_fine(&self) -> bool {
+        self.mismatch <= FINE_MISMATCH && self.cover <= FINE_COVER
+    }
+
     /// What it misses is detail.
     pub fn is_worth_sharpening(&self) -> bool {
         self.measure <= SHARPENED_MEASURE && self.cost() <= SHARPENED_COST
+    }
+
+    /// On the level before the finest: what is farther away there is not brought near by one level more.
+    pub fn is_hopeless(&self) -> bool {
+        self.cost() > HOPELESS_COST
     }
 
     pub fn is_worth_inverting(&self) -> bool {
@@ -152,15 +166,27 @@ impl Plan {
         Self { left: left.into(), single: false, sharpened: 0 }
     }
 
+    /// Whether the same direction is still to be tried along corresponding points.
+    pub fn will_lead(&self, approach: Approach) -> bool {
+        let led = match approach {
+            Approach::Direct => Approach::Guided,
+            Approach::Exchanged => Approach::GuidedExchanged,
+            _ => return false,
+        };
+        self.left.contains(&led)
+    }
+
     pub fn is_single(&self) -> bool {
         self.single
     }
 
-    /// The next approach; none if the best match so far is good or nothing is left to try.
+    /// The next approach; none if the best match so far is good, and fine where that is cheap, or nothing is left to try.
     pub fn next(&mut self, best: Option<&Fit>) -> Option<Approach> {
         if let Some(best) = best {
             if best.is_good() {
-                return None;
+                let sharpen = self.sharpened == 0 && !best.is_fine();
+                self.sharpened += u8::from(sharpen);
+                return sharpen.then_some(Approach::Sharpened(self.sharpened));
             }
             // What crumples would crumple more.
             if best.is_worth_sharpening() && self.sharpened < SHARPENINGS {

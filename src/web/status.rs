@@ -26,7 +26,7 @@ export interface Status {
   energies: Energies;
   /** The least determinant of Dφ over the corners of all cells; > 0 always. */
   leastDeterminant: number;
-  /** |d2(φ)| along M1, the outline of the reference as it was given. */
+  /** |d2(φ)| along M1, both outlines as they were given. */
   mismatch: Spread;
   /** The distance of points of M2, the outline of the template as it was given, to φ(M1). */
   cover: Spread;

@@ -20,7 +20,7 @@ use crate::inverse::invert;
 use crate::minimize::Stop;
 use crate::report::report;
 use crate::settings::{Alignment, Settings};
-use guide::{can_guide, guide};
+use guide::{can_guide, guide, outlines};
 use missed::missed;
 use plan::{Fit, Plan};
 use std::cell::OnceCell;
@@ -264,7 +264,11 @@ impl<const D: usize> Search<D> {
         if !matches!(self.approach, Approach::Sharpened(_)) {
             self.missed.clear();
         }
-        self.missed = missed(&in_direction(&self.shapes, approach), &displacement, &self.missed);
+        // What one shape has and the other lacks cannot be reached: the shell would only be torn towards it.
+        let parts = self.shapes.each_ref().map(|shape| outlines(shape).len());
+        if parts[0] == parts[1] {
+            self.missed = missed(&in_direction(&self.shapes, approach), &displacement, &self.missed);
+        }
         ties.missed = self.missed.as_slice().into();
         let begun = self.begin_tied(approach, approach.settings(&self.settings), displacement, ties).await;
         self.limit(SHARPENING);

@@ -200,7 +200,7 @@ test.describe("a part that cannot be fetched says so, and comes as soon as it ca
     // With its style sheet: without it the dialog would be as narrow as its text.
     expect((await dialog.boundingBox())?.width).toBeGreaterThan(700);
     await page.getByText("Paste text here").click();
-    await page.getByLabel("SVG, JSON or CSV text").fill("0 0\n2 0\n2 1\n0 1");
+    await page.getByLabel("SVG, path data, JSON or CSV text").fill("0 0\n2 0\n2 1\n0 1");
     await button(page, "Use as template").click();
     await expect(page.getByRole("dialog")).toHaveCount(0);
   });

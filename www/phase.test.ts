@@ -5,19 +5,47 @@ function reach(...events: PhaseEvent[]): Phase {
   return events.reduce<Phase>(next, "idle");
 }
 
-const PHASES: readonly Phase[] = [
-  "idle",
-  "cancelled",
-  "preparing",
-  "solving",
-  "paused",
-  "following",
-  "astray",
-  "refining",
-  "pausedRefining",
-  "matched",
-  "restored",
+/** Every state with all that leads out of it; whatever is not here leads nowhere. */
+const TABLE: Readonly<Record<Phase, string>> = {
+  idle: "start preparing, drop idle, restore restored",
+  cancelled: "start preparing, drop idle, restore restored",
+  preparing:
+    "start preparing, frame solving, finish matched, refuse idle, pause paused, cancel cancelled, drop idle, restore restored",
+  solving: "start preparing, finish matched, refuse idle, pause paused, cancel cancelled, drop idle, restore restored",
+  paused: "start preparing, finish matched, refuse idle, resume solving, cancel cancelled, drop idle, restore restored",
+  following: "start preparing, refuse astray, refine refining, cancel cancelled, drop idle, restore restored",
+  astray:
+    "start preparing, frame following, finish following, refine preparing, cancel cancelled, drop idle, restore restored",
+  refining:
+    "start preparing, finish matched, refuse preparing, pause pausedRefining, follow following, cancel cancelled, drop idle, restore restored",
+  pausedRefining:
+    "start preparing, finish matched, refuse preparing, resume refining, follow following, refine refining, cancel cancelled, drop idle, restore restored",
+  matched: "start preparing, follow following, refine refining, cancel cancelled, drop idle, restore restored",
+  restored: "start preparing, cancel cancelled, drop idle, restore restored",
+};
+
+const PHASES = Object.keys(TABLE) as Phase[];
+
+const EVENTS: readonly PhaseEvent[] = [
+  "start",
+  "frame",
+  "finish",
+  "refuse",
+  "pause",
+  "resume",
+  "follow",
+  "refine",
+  "cancel",
+  "drop",
+  "restore",
 ];
+
+const TRANSITIONS = PHASES.flatMap((phase) => EVENTS.map((event) => [phase, event] as const));
+
+test.each(TRANSITIONS)("%s, %s: leads where the table says, or nowhere", (phase, event) => {
+  const named = TABLE[phase].split(", ").find((entry) => entry.startsWith(`${event} `));
+  expect(next(phase, event)).toBe(named?.split(" ")[1] ?? phase);
+});
 
 describe("a full run", () => {
   test("prepares until the first frame, and ends matched", () => {

@@ -1,8 +1,10 @@
 /** The run under way: its state, what it has found, and when the solver is told what. Signals; no DOM. */
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { Delay } from "./delay";
 import type { Engine } from "./engine";
-import { Follower, LIVE_LEVEL, SETTLED_CELLS } from "./live";
+import { Follower, LIVE_LEVEL, SETTLED_CELLS } from "./follower";
+import { Latency } from "./latency";
 import { isEstablished, isFollowing, isPaused, isRunning, isWorking, next, type Phase, type PhaseEvent } from "./phase";
 import type { FrameReply, Inspection, Iteration } from "./protocol";
 import type { SavedMatch } from "./record";
@@ -16,6 +18,9 @@ export type Inputs = Shapes & { readonly settings: Chosen };
 
 /** A match with what it was computed from: whoever shows or saves φ takes the shapes and settings from here. */
 export type Result = Inputs & { readonly frame: FrameReply };
+
+/** What the solver has been told, and whether it is a first look only, to be gone on from. */
+type Sent = Inputs & { readonly glance: boolean };
 
 /** What a run is of, and whom it tells. */
 export type Subject = {
@@ -37,17 +42,12 @@ export class Run {
   private readonly subject: Subject;
   private readonly solver: Solver;
   private readonly follower = new Follower((at) => this.sendFollowing(at));
-  /** Time of the event that the update under way was made from, until its first frame is there. */
-  private asked: number | null = null;
-  /** The same for the frame that is to be drawn next. */
-  private received: number | null = null;
-  /** The run under way is a first look, to be gone on from. */
-  private glancing = false;
-  private restarting: ReturnType<typeof setTimeout> | undefined;
+  private readonly latency = new Latency();
+  private readonly restarting = new Delay(RESTART_MILLIS);
 
   private readonly state = signal<Phase>("idle");
-  /** Of the request that the solver is at work on: its frames belong to these. */
-  private sent: Inputs | null = null;
+  /** What the solver is at work on: its frames belong to this. */
+  private sent: Sent | null = null;
   /** The last frame. */
   private readonly last = signal<Result | null>(null);
 
@@ -104,15 +104,14 @@ export class Run {
 
   start(): void {
     this.subject.say(null);
-    this.begins(this.subject.settings.value);
+    this.begins(this.subject.settings.value, false);
   }
 
   /** A match for whoever has just come: at once on a grid that is quick, then on to the finest. What was said stays. */
   glance(): void {
     const chosen = this.subject.settings.value;
     const level = Math.max(coarsestLevel(chosen), Math.min(GLANCE_LEVEL, finestLevel(chosen)));
-    this.begins({ ...chosen, finest: level });
-    this.glancing = true;
+    this.begins({ ...chosen, finest: level }, true);
   }
 
   pause(): void {
@@ -158,7 +157,7 @@ export class Run {
     this.follower.stop();
     if (!this.established || this.state.value === "astray") this.start();
     else {
-      this.asked = null;
+      this.latency.forget();
       this.advance("refine");
       this.update(this.subject.settings.value);
     }
@@ -167,17 +166,12 @@ export class Run {
   /** A run under way starts again with what has changed; without one, the user decides. */
   restartSoon(): void {
     if (!isWorking(this.state.value) || isPaused(this.state.value)) return;
-    clearTimeout(this.restarting);
-    this.restarting = setTimeout(() => this.start(), RESTART_MILLIS);
+    this.restarting.start(() => this.start());
   }
 
   /** To be called when `frame` has been drawn: reports how long it took from the hand to the picture. */
   drawn(frame: FrameReply | null): void {
-    if (this.received === null || frame !== this.last.value?.frame) return;
-    performance.measure("live-frame", { start: this.received, end: performance.now() });
-    // Observers have it; kept in the page's timeline, every frame would cost memory for good.
-    performance.clearMeasures("live-frame");
-    this.received = null;
+    if (frame === this.last.value?.frame) this.latency.drawn();
   }
 
   /** Forgets what is known of the shapes' narrow parts. */
@@ -190,11 +184,11 @@ export class Run {
     this.solver.inspect(curves(reference), curves(template), { finest: finestLevel(this.subject.settings.value) });
   }
 
-  private begins(settings: Chosen): void {
+  private begins(settings: Chosen, glance: boolean): void {
     this.forget();
     this.energies.value = [];
     this.advance("start");
-    const { reference, template, pins } = this.begin(settings);
+    const { reference, template, pins } = this.begin(settings, glance);
     // The last picture stays until the first frame of the new run, but not its numbers.
     this.fresh.value = false;
     this.solver.start(reference, template, { ...settings, pins });
@@ -217,10 +211,10 @@ export class Run {
     const { status } = frame;
     const before = this.last.value?.frame;
     const { value: phase } = this.state;
-    this.received = this.asked;
-    this.asked = null;
+    this.latency.receive();
     if (phase === "astray") this.subject.say(null);
-    this.last.value = { ...(this.sent ?? this.present), frame };
+    const { reference, template, pins, settings } = this.sent ?? this.present;
+    this.last.value = { reference, template, pins, settings, frame };
     this.fresh.value = true;
     // Each update's energies are a history of their own, and too short to be read while the hand moves.
     if (!isFollowing(phase)) {
@@ -232,10 +226,7 @@ export class Run {
       return;
     }
     const ended = this.advance(status.finished ? "finish" : "frame") && this.state.value === "matched";
-    if (ended && this.glancing) {
-      this.glancing = false;
-      if (this.stale.value) this.settle();
-    }
+    if (ended && this.sent?.glance && this.stale.value) this.settle();
     // The hand has moved on during a full match: catch up with it.
     if (ended && this.subject.followsHand()) this.follow(performance.now());
   }
@@ -261,27 +252,26 @@ export class Run {
   }
 
   private forget(): void {
-    clearTimeout(this.restarting);
+    this.restarting.stop();
     this.follower.stop();
-    this.asked = null;
-    this.glancing = false;
+    this.latency.forget();
   }
 
   private sendFollowing(at: number): void {
     const chosen = this.subject.settings.value;
-    this.asked = at;
+    this.latency.ask(at);
     this.advance("follow");
     this.update({ ...chosen, finest: Math.min(LIVE_LEVEL, finestLevel(chosen)) });
   }
 
   private update(settings: Chosen): void {
-    const { reference, template, pins } = this.begin(settings);
+    const { reference, template, pins } = this.begin(settings, false);
     this.solver.update(reference, template, { ...complete(settings), pins });
   }
 
-  private begin(settings: Chosen) {
+  private begin(settings: Chosen, glance: boolean) {
     const { reference, template, pins } = this.subject.shapes.value;
-    this.sent = { reference, template, pins, settings };
+    this.sent = { reference, template, pins, settings, glance };
     return { reference: curves(reference), template: curves(template), pins: flat(pins) };
   }
 }

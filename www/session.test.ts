@@ -1,35 +1,9 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import type { Reply, Request, Status } from "./protocol";
 import { Session } from "./session";
 import { FIELDS } from "./settings";
 import { PRESETS } from "./shapes/presets";
 import { open } from "./state";
-
-/** A worker that notes what it is told, and answers a start by a finished frame when it is asked to. */
-class Puppet {
-  readonly told: Request[] = [];
-  onmessage: ((event: { data: Reply }) => void) | null = null;
-  onerror = null;
-
-  postMessage(request: Request): void {
-    this.told.push(request);
-  }
-
-  terminate(): void {}
-
-  finish(): void {
-    const start = this.told.findLast((request) => request.kind === "start");
-    if (start?.kind !== "start") throw new Error("no run has been asked for");
-    const status = { finished: true, level: 5, iteration: 1, mismatch: { max: 0.1, mean: 0 } } as Status;
-    const curves = { reference: [], template: [], matched: [] };
-    const deformation = new Float64Array(2);
-    this.onmessage?.({ data: { kind: "frame", run: start.run, status, rest: null, deformation, curves, trail: [] } });
-  }
-
-  get starts(): Request[] {
-    return this.told.filter(({ kind }) => kind === "start");
-  }
-}
+import { puppetEngine } from "./testing/puppet";
 
 beforeEach(() => {
   vi.useFakeTimers();
@@ -40,12 +14,9 @@ beforeEach(() => {
 });
 
 function stage(hash = "#v=1&preset=star&finest=5") {
-  const puppet = new Puppet();
-  const engine = {
-    module: () => Promise.resolve({} as WebAssembly.Module),
-    spawn: () => puppet as unknown as Worker,
-  };
-  return { puppet, session: new Session(engine, open(hash, null)) };
+  const { engine, puppets } = puppetEngine();
+  const session = new Session(engine, open(hash, null));
+  return { puppet: puppets[0], session };
 }
 
 const BENDING = FIELDS.find(({ name }) => name === "bending");
@@ -81,7 +52,7 @@ test("a term that is left out at the result is matched without at once", () => {
   const { puppet, session } = stage();
   if (!BENDING) throw new Error("bending is a setting of the page");
   session.start();
-  puppet.finish();
+  puppet.frame(true);
   session.tryOut(BENDING, 0);
   expect(puppet.starts.at(-1)).toMatchObject({ settings: { bending: 0 } });
 });
@@ -90,9 +61,9 @@ test("a finished run is kept, and shown again with its own shapes and settings",
   const { puppet, session } = stage();
   if (!BENDING) throw new Error("bending is a setting of the page");
   session.start();
-  puppet.finish();
+  puppet.frame(true);
   session.tryOut(BENDING, 0);
-  puppet.finish();
+  puppet.frame(true);
   const [second, first] = session.runs.list.value;
   expect([first.settings.bending, second.settings.bending]).toEqual([undefined, 0]);
   const leaf = PRESETS.find(({ id }) => id === "leaf");
@@ -109,6 +80,40 @@ test("a finished run is kept, and shown again with its own shapes and settings",
 test("runs that only follow the hand are none to come back to", () => {
   const { puppet, session } = stage();
   session.setLive(true);
-  puppet.finish();
+  puppet.frame(true);
   expect(session.runs.list.value).toHaveLength(0);
+});
+
+test("a setting is one step to undo, and the match that was made with it fits again", () => {
+  const { puppet, session } = stage();
+  if (!BENDING) throw new Error("bending is a setting of the page");
+  session.start();
+  puppet.frame(true);
+  session.previewSetting(BENDING, 2, 0);
+  session.previewSetting(BENDING, 1, 0);
+  session.changeSetting(BENDING, 1);
+  expect(session.stale.value).toBe(true);
+  session.undo();
+  expect([session.settings.value, session.stale.value, session.canUndo.value]).toEqual([{ finest: 5 }, false, false]);
+  session.redo();
+  expect(session.settings.value).toEqual({ finest: 5, bending: 1 });
+});
+
+test("the same value chosen again is no step", () => {
+  const { session } = stage();
+  if (!BENDING) throw new Error("bending is a setting of the page");
+  session.changeSetting(BENDING, BENDING.initial);
+  session.resetSettings();
+  expect(session.settings.value).toEqual({});
+  session.undo();
+  expect([session.settings.value, session.canUndo.value]).toEqual([{ finest: 5 }, false]);
+});
+
+test("undo after a link brings back shapes and settings alike", () => {
+  const { session } = stage();
+  const before = session.shapes.value;
+  session.openLink("#v=1&preset=leaf&bending=0.5&finest=6");
+  expect(session.settings.value).toEqual({ finest: 6, bending: 0.5 });
+  session.undo();
+  expect([session.shapes.value, session.settings.value]).toEqual([before, { finest: 5 }]);
 });

@@ -1,56 +1,20 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { FrameReply, Reply, Request } from "./protocol";
+import type { FrameReply } from "./protocol";
 import { PATIENCE_MILLIS, Solver } from "./solver";
-
-/** A worker that only notes what it is told. */
-class Puppet {
-  readonly told: Request[] = [];
-  ended = false;
-  onmessage: ((event: { data: Reply }) => void) | null = null;
-  onerror: ((event: { message: string; preventDefault(): void }) => void) | null = null;
-
-  postMessage(request: Request): void {
-    this.told.push(request);
-  }
-
-  terminate(): void {
-    this.ended = true;
-  }
-
-  say(reply: Reply): void {
-    this.onmessage?.({ data: reply });
-  }
-
-  break(message = ""): void {
-    this.onerror?.({ message, preventDefault: () => {} });
-  }
-
-  get lastRun(): number {
-    const last = this.told.findLast((request) => "run" in request);
-    return last && "run" in last ? last.run : -1;
-  }
-}
+import { puppetEngine } from "./testing/puppet";
 
 const MODULE = {} as WebAssembly.Module;
 
 function stage(module: () => Promise<WebAssembly.Module> = () => Promise.resolve(MODULE)) {
-  const puppets: Puppet[] = [];
+  const { engine, puppets } = puppetEngine(module);
   const heard: string[] = [];
-  const spawn = () => {
-    const puppet = new Puppet();
-    puppets.push(puppet);
-    return puppet as unknown as Worker;
-  };
-  const solver = new Solver(
-    { module, spawn },
-    {
-      ready: () => heard.push("ready"),
-      frame: () => heard.push("frame"),
-      refused: (message) => heard.push(`refused: ${message}`),
-      crashed: (message) => heard.push(`crashed: ${message}`),
-      unavailable: (message) => heard.push(`unavailable: ${message}`),
-    },
-  );
+  const solver = new Solver(engine, {
+    ready: () => heard.push("ready"),
+    frame: () => heard.push("frame"),
+    refused: (message) => heard.push(`refused: ${message}`),
+    crashed: (message) => heard.push(`crashed: ${message}`),
+    unavailable: (message) => heard.push(`unavailable: ${message}`),
+  });
   const start = () => solver.start({ kind: "curves", loops: [] }, { kind: "curves", loops: [] }, {});
   return { solver, puppets, heard, start };
 }

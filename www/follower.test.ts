@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Follower } from "./live";
+import { Follower } from "./follower";
 
 function bench() {
   const sent: number[] = [];

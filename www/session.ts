@@ -12,7 +12,7 @@ import { inspectChanges } from "./session/narrow";
 import { rememberChanges } from "./session/remembering";
 import { type Chosen, FIELDS, type SettingField, sameSettings, withSetting } from "./settings";
 import { fitted, type Loop, type Shape } from "./shapes/geometry";
-import type { Pin } from "./shapes/pins";
+import type { Pin, Shapes } from "./shapes/pins";
 import type { Preset } from "./shapes/presets";
 import { encode, type Opened, open, remember } from "./state";
 
@@ -144,6 +144,21 @@ export class Session {
     this.preview(edited(this.edits.present, side, shape), at);
   }
 
+  /** What stands in the history, whatever the hand moves. */
+  get present(): Step {
+    return this.edits.present;
+  }
+
+  /** Whether something moves under the hand. */
+  get moves(): boolean {
+    return this.edits.moves;
+  }
+
+  /** Shapes and pins while the hand changes them. */
+  previewShapes(shapes: Shapes, at: number): void {
+    this.preview({ ...this.edits.present, ...shapes }, at);
+  }
+
   /** The pins while the hand moves one. */
   previewPins(pins: readonly Pin[], at: number): void {
     this.preview({ ...this.edits.present, pins }, at);
@@ -171,6 +186,11 @@ export class Session {
   /** One step to undo. */
   commitPins(pins: readonly Pin[]): void {
     this.commit({ ...this.edits.present, pins });
+  }
+
+  /** Both shapes with their pins; one step to undo. */
+  commitShapes(shapes: Shapes, examples: Step["examples"]): void {
+    this.commit({ ...this.edits.present, ...shapes, examples, preset: null });
   }
 
   /** Scales both shapes to a comfortable size and centres them. */

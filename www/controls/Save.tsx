@@ -1,10 +1,10 @@
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
 import type { Draw, Format } from "../export";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
 import { en } from "../words/en";
 import { fetched } from "./fetched";
+import { Menu } from "./Menu";
 import { draw, limitOf, picture, view } from "./viewing";
 
 const FORMATS: readonly { readonly format: Format; readonly label: string; readonly needsMatch: boolean }[] = (
@@ -17,23 +17,10 @@ const FORMATS: readonly { readonly format: Format; readonly label: string; reado
 
 /** The formats in which a match can be taken away. */
 export function Save({ session }: { session: Session }) {
-  const menu = useRef<HTMLDetailsElement>(null);
   const busy = useSignal<string | null>(null);
   const legend = useSignal(false);
 
-  useEffect(() => {
-    const close = (event: Event) => {
-      const target = event.target;
-      if (target instanceof Node && menu.current?.contains(target)) return;
-      menu.current?.removeAttribute("open");
-    };
-    addEventListener("pointerdown", close);
-    return () => removeEventListener("pointerdown", close);
-  }, []);
-
   const save = async (format: Format, label: string) => {
-    menu.current?.removeAttribute("open");
-    menu.current?.querySelector("summary")?.focus();
     busy.value = label;
     try {
       const { saved, download } = await fetched("What saves files", () => import("../export"));
@@ -67,41 +54,30 @@ export function Save({ session }: { session: Session }) {
 
   const matched = session.result.value !== null;
   return (
-    <details
-      ref={menu}
-      class="save"
-      onKeyDown={(event) => {
-        if (event.key !== "Escape") return;
-        menu.current?.removeAttribute("open");
-        menu.current?.querySelector("summary")?.focus();
-      }}
-    >
-      <summary aria-busy={busy.value !== null}>{busy.value ? "Saving …" : "Save"}</summary>
-      <ul>
-        {FORMATS.map(({ format, label, needsMatch }) => (
-          <li key={format}>
-            <button
-              type="button"
-              disabled={busy.value !== null || (needsMatch && !matched)}
-              onClick={() => save(format, label)}
-            >
-              {label}
-            </button>
-          </li>
-        ))}
-        <li>
-          <label>
-            <input
-              type="checkbox"
-              checked={legend.value}
-              onChange={(event) => {
-                legend.value = event.currentTarget.checked;
-              }}
-            />
-            {en.save.legend}
-          </label>
+    <Menu kind="save" label={busy.value ? en.save.busy : en.save.name} busy={busy.value !== null}>
+      {FORMATS.map(({ format, label, needsMatch }) => (
+        <li key={format}>
+          <button
+            type="button"
+            disabled={busy.value !== null || (needsMatch && !matched)}
+            onClick={() => save(format, label)}
+          >
+            {label}
+          </button>
         </li>
-      </ul>
-    </details>
+      ))}
+      <li>
+        <label>
+          <input
+            type="checkbox"
+            checked={legend.value}
+            onChange={(event) => {
+              legend.value = event.currentTarget.checked;
+            }}
+          />
+          {en.save.legend}
+        </label>
+      </li>
+    </Menu>
   );
 }

@@ -6,6 +6,7 @@ import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
 import { bounds } from "../shapes/geometry";
 import type { Hand } from "../tools/hand";
+import { curve, kit as further } from "../tools/kit";
 import { hands, tool } from "../tools/tool";
 import { nearest } from "../view/along";
 import { Surface } from "../view/canvas";
@@ -20,6 +21,9 @@ import { guess, probe } from "./viewing";
 const PROBE_REACH = 24;
 
 const NAMES = { reference: "Reference", template: "Template" };
+
+/** Which lines of the page tell what keys do; see index.html. */
+const KEYS = { draw: "keys", circle: "outline-keys", polygon: "outline-keys", mirror: "outline-keys", pin: "pin-keys" };
 
 /** One sketch surface with its heading and Clear button. */
 export function SketchPanel({ session, side }: { session: Session; side: Side }) {
@@ -37,16 +41,20 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
         tooClose: tooClose(session, side),
         mark: markOf(session, side),
       });
+      const chosen = chosenLoop(session, side);
+      if (chosen) further.peek()?.drawChosen(context, frame, colours, side, chosen);
       kit.peek()?.drawPins(context, frame, colours, session.shapes.value, side);
       const question = session.question.value;
       if (question?.side === side) hands.peek()?.drawFaulty(context, frame, colours, question.loop);
-      hand.current?.paint(context, frame, colours);
+      hand.current?.tool.paint(context, frame, colours);
     });
     ground.current = surface;
     const stopHand = effect(() => {
-      const [wanted, fetched] = [tool.value, kit.value];
-      untracked(() => hand.current?.dispose());
-      hand.current = hands.value?.handOf(wanted, fetched, session, side, surface) ?? null;
+      const [wanted, fetched] = [tool.value, hands.value];
+      untracked(() => {
+        hand.current?.dispose();
+        hand.current = fetched?.handOf(wanted, session, side, surface) ?? null;
+      });
       surface.invalidate();
     });
     // Computed, so that this surface rests while only the other shape or the match moves.
@@ -55,8 +63,8 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
     const coloured = computed(() => colourOf(session, side));
     const mark = computed(() => markOf(session, side));
     const stop = effect(() => {
-      for (const shown of [shape, pins, coloured, mark, begun, chosen, kit, session.question, session.settings])
-        shown.value;
+      const signals = [shape, pins, coloured, mark, begun, chosen, kit, further, curve, session.question];
+      for (const shown of [...signals, session.settings]) shown.value;
       surface.invalidate();
     });
     return () => {
@@ -70,8 +78,12 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
   const repaint = () => ground.current?.invalidate();
 
   const press = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (hand.current?.key(event)) event.preventDefault();
+    const holds = hand.current?.tool;
+    // A point of what is under way, before a step of the page's history.
+    const isUndo = (event.ctrlKey || event.metaKey) && !event.shiftKey && event.key.toLowerCase() === "z";
+    if (isUndo && holds?.undo?.()) event.stopPropagation();
+    else if (event.ctrlKey || event.metaKey || event.altKey || !holds?.key(event)) return;
+    event.preventDefault();
   };
 
   const point = (event: PointerEvent) => {
@@ -112,7 +124,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
           role="application"
           id={`${side}-surface`}
           aria-label={`${NAMES[side]} shape`}
-          aria-describedby={tool.value === "draw" ? "keys" : "pin-keys"}
+          aria-describedby={KEYS[tool.value]}
           onKeyDown={press}
           onFocus={repaint}
           onBlur={repaint}
@@ -125,6 +137,12 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
       </div>
     </section>
   );
+}
+
+/** The curve that is smoothed or deleted next. */
+function chosenLoop(session: Session, side: Side) {
+  const at = tool.value === "draw" ? curve.value : null;
+  return at?.side === side ? session.shapes.value[side][at.loop] : undefined;
 }
 
 /** The place pointed at on the reference, and its partner on the template. */

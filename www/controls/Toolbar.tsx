@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { isFollowing, isPaused, isWorking } from "../phase";
 import type { Session } from "../session";
+import { Exchange } from "./Exchange";
 
 /** Everything that is done with a press. */
 export function Toolbar({ session }: { session: Session }) {
@@ -46,6 +47,7 @@ export function Toolbar({ session }: { session: Session }) {
         >
           Fit
         </button>
+        <Exchange session={session} />
         <CopyLink session={session} />
       </div>
     </div>

@@ -1,23 +1,24 @@
 /** Puts a tool into the hand that works on a surface. */
 
-import type { kit } from "../pins/kit";
+import { kit as pins } from "../pins/kit";
 import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
 import { Drawing } from "../shapes/draw";
+import { withLoop } from "../shapes/edit";
 import type { Loop, Shape } from "../shapes/geometry";
 import type { Judgement } from "../shapes/judge";
 import type { Pin } from "../shapes/pins";
-import type { Ground, Hand } from "../tools/hand";
-import type { Tool } from "../tools/tool";
+import { focusOn } from "../tools/focus";
+import { type Ground, Hand, type Tool } from "../tools/hand";
+import { curve, fetchKit, kit } from "../tools/kit";
+import { said, type ToolName } from "../tools/tool";
 import type { Surface } from "../view/canvas";
-import { faultWords, WAYS } from "../words/strokes";
+import { drawnWords, faultWords, WAYS } from "../words/strokes";
 
 export { drawFaulty } from "../view/pen";
 
-type Faulty = Exclude<Judgement, { kind: "tap" | "loop" }>;
-
-export function handOf(tool: Tool, fetched: typeof kit.value, session: Session, side: Side, surface: Surface): Hand {
-  const ground: Ground & { side: Side; restore(): void } = {
+export function handOf(name: ToolName, session: Session, side: Side, surface: Surface): Hand {
+  const ground: Ground & { restore(): void } = {
     side,
     canvas: surface.canvas,
     get pixelsPerUnit() {
@@ -27,25 +28,64 @@ export function handOf(tool: Tool, fetched: typeof kit.value, session: Session, 
     repaint: () => surface.invalidate(),
     restore: () => session.restoreShape(),
   };
-  if (tool === "pin" && fetched) {
+  return new Hand(ground, toolOf(name, session, ground));
+}
+
+function toolOf(name: ToolName, session: Session, ground: Ground & { restore(): void }): Tool {
+  const { side } = ground;
+  const [pinning, further] = [pins.peek(), kit.peek()];
+  if (name === "pin" && pinning) {
     const host = Object.assign(ground, {
       shapes: () => session.shapes.value,
       preview: (pins: readonly Pin[], at: number) => session.previewPins(pins, at),
       commit: (pins: readonly Pin[]) => session.commitPins(pins),
-      goOn: () => document.getElementById(`${side === "reference" ? "template" : "reference"}-surface`)?.focus(),
+      goOn: () => focusOn(side === "reference" ? "template" : "reference"),
     });
-    return new fetched.PinHand(host);
+    return new pinning.PinTool(host);
   }
-  const host = Object.assign(ground, {
-    shape: () => session.shapes.value[side],
-    isExample: () => session.isExample(side),
-    preview: (shape: Shape, at: number) => session.previewShape(side, shape, at),
-    commit: (shape: Shape) => session.commitShape(side, shape),
+  const easel = Object.assign(ground, {
     limits: () => ({ cell: 1 / 2 ** finestLevel(session.settings.value) }),
-    ask: ({ kind, size, loop, mended }: Faulty, take: (loop: Loop) => void) => {
-      const ways = mended ? [{ label: WAYS[kind], go: () => take(mended) }] : [];
-      session.question.value = { side, loop, words: faultWords(kind, size), ways };
-    },
+    draw: (judgement: Judgement) => draw(session, side, judgement),
   });
-  return new Drawing(host);
+  if (further && name === "circle") return new further.Circle(easel);
+  if (further && name === "polygon") return new further.Polygon(easel);
+  if (further && name === "mirror") return new further.Mirror(easel);
+  return new Drawing(
+    Object.assign(easel, {
+      shape: () => session.shapes.value[side],
+      isExample: () => session.isExample(side),
+      preview: (shape: Shape, at: number) => session.previewShape(side, shape, at),
+      commit: (shape: Shape) => session.commitShape(side, shape),
+      choose: (loop: number | null) => choose(session, side, loop),
+    }),
+  );
+}
+
+/** Takes a curve for one more of the shape, or asks what is to become of it. */
+function draw(session: Session, side: Side, judgement: Judgement): void {
+  if (judgement.kind === "tap") return;
+  if (judgement.kind === "loop") {
+    take(session, side, judgement.loop);
+    return;
+  }
+  const { kind, size, loop, mended } = judgement;
+  const ways = mended ? [{ label: WAYS[kind], go: () => take(session, side, mended) }] : [];
+  session.question.value = { side, loop, words: faultWords(kind, size), ways };
+}
+
+/** The first curve replaces an example. */
+function take(session: Session, side: Side, loop: Loop): void {
+  const before = session.isExample(side) ? [] : session.shapes.value[side];
+  session.commitShape(side, withLoop(before, loop));
+  choose(session, side, before.length);
+  said.value = drawnWords(side, before.length + 1);
+}
+
+/** What is done to one curve comes on demand. */
+function choose(session: Session, side: Side, loop: number | null): void {
+  curve.value = loop === null ? null : { side, loop };
+  if (loop === null) return;
+  fetchKit().catch((error: Error) => {
+    session.problem.value = error.message;
+  });
 }

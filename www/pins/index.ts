@@ -2,6 +2,6 @@
 
 export { Actions, guide } from "./Actions";
 export { drawPinMarks, drawPins, pinMarks } from "./draw";
-export { PinHand } from "./hand";
-export { carried } from "./places";
+export { carried, followed } from "./places";
 export { Report } from "./Report";
+export { PinTool } from "./tool";

@@ -4,7 +4,7 @@ import { about, fitted, nearestVertex, type Shape, shift, transformed } from "..
 import { flat, type Pin, pinsFrom, type Shapes } from "../shapes/pins";
 import { PRESETS } from "../shapes/presets";
 import { nearest } from "../view/along";
-import { carried, similarityBetween, snapped, withEnd, without } from "./places";
+import { carried, followed, similarityBetween, snapped, withEnd, without } from "./places";
 
 function edited(shapes: Shapes, side: "reference" | "template", shape: Shape): Shapes {
   return { ...shapes, [side]: shape, pins: carried(shapes.pins, side, shapes[side], shape) };
@@ -101,4 +101,13 @@ test("a similarity between two shapes is found, and where there is none, none", 
   expect(similarityBetween(reference, fitted(reference))).not.toBeNull();
   expect(similarityBetween(reference, template)).toBeNull();
   expect(similarityBetween(reference, [])).toBeNull();
+});
+
+test("a pin on a curve whose points all move stays at its place along it, one beside it stays where it is", () => {
+  const square = Float64Array.of(0.2, 0.2, 0.6, 0.2, 0.6, 0.6, 0.2, 0.6);
+  const moved = square.map((value) => 1 - value);
+  const pin = (x: number, y: number) => ({ reference: { x, y }, template: { x: 0.1, y: 0.1 } });
+  const [on, beside] = followed([pin(0.3, 0.2), pin(0.4, 0.4)], "reference", [square], [moved]);
+  expect(on.reference).toEqual({ x: expect.closeTo(0.7, 12), y: expect.closeTo(0.8, 12) });
+  expect(beside.reference).toEqual({ x: 0.4, y: 0.4 });
 });

@@ -1,6 +1,6 @@
 /** Where pins go, and with what. Fetched with all that is about pins. */
 
-import { type Loop, type Point, type Shape, type Similarity, transformed } from "../shapes/geometry";
+import { type Loop, type Point, type Shape, type Similarity, similarityTaking, transformed } from "../shapes/geometry";
 import type { Pin } from "../shapes/pins";
 import { type Nearest, nearest } from "../view/along";
 
@@ -41,6 +41,17 @@ export function carried(pins: readonly Pin[], side: Side, before: Shape, after: 
   return pins.map((pin) => ({ ...pin, [side]: motion ? moved(pin[side], motion) : along(pin[side], before, after) }));
 }
 
+/** The pins after the points of a curve have been moved, each for itself: what lies on the curve stays on it. */
+export function followed(pins: readonly Pin[], side: Side, before: Shape, after: Shape): readonly Pin[] {
+  return pins.map((pin) => {
+    const near = nearest(before, pin[side].x, pin[side].y);
+    if (!near || near.distance > ON_CURVE) return pin;
+    const isSame = before[near.loop].length === after[near.loop]?.length;
+    const to = isSame ? boxed(placeOf(after, near)) : snapped(after, pin[side], Number.POSITIVE_INFINITY);
+    return { ...pin, [side]: to };
+  });
+}
+
 function moved({ x, y }: Point, motion: Similarity): Point {
   const [[u, v]] = transformed([Float64Array.of(x, y)], motion);
   return boxed({ x: u, y: v });
@@ -78,13 +89,14 @@ export function similarityBetween(before: Shape, after: Shape): Similarity | nul
   const isAlike = before.length === after.length && before.every((loop, l) => loop.length === after[l].length);
   const [from, to] = [before[0], after[0]];
   if (!isAlike || !from || from.length < 4) return null;
-  // From the first point to one half round the loop, as complex numbers.
-  const far = 2 * Math.floor(from.length / 4);
-  const [x, y, u, v] = [from[far] - from[0], from[far + 1] - from[1], to[far] - to[0], to[far + 1] - to[1]];
-  const square = x * x + y * y;
-  if (square === 0) return null;
-  const [a, b] = [(x * u + y * v) / square, (x * v - y * u) / square];
-  const motion = { a, b, x: to[0] - a * from[0] + b * from[1], y: to[1] - b * from[0] - a * from[1] };
+  // From the first point to one half round the loop.
+  const far = Math.floor(from.length / 4);
+  const motion = similarityTaking([pointOf(from, 0), pointOf(from, far)], [pointOf(to, 0), pointOf(to, far)]);
+  if (!motion) return null;
   const moved = transformed(before, motion);
   return moved.every((loop, l) => loop.every((value, i) => Math.abs(value - after[l][i]) < EXACT)) ? motion : null;
+}
+
+function pointOf(loop: Loop, index: number): Point {
+  return { x: loop[2 * index], y: loop[2 * index + 1] };
 }

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { pinsAside, pinsOff, place } from "./words";
+import { place } from "../words/place";
+import { pinsAside, pinsOff } from "./words";
 
 test("pins within a cell of their partners are not worth a word", () => {
   expect(pinsOff([], 1)).toBeNull();

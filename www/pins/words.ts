@@ -2,6 +2,7 @@
 
 import type { Point } from "../shapes/geometry";
 import { decimals } from "../words/numbers";
+import { place } from "../words/place";
 
 type Side = "reference" | "template";
 
@@ -28,12 +29,6 @@ export const told = {
   onCurve: ", on the curve",
   atPin: (index: number) => `, at pin ${index + 1}`,
 };
-
-/** The box's lower left corner is 0, 0. */
-export function place({ x, y }: Point): string {
-  const short = (value: number) => String(Number(value.toFixed(3)));
-  return `${short(x)} across, ${short(y)} up`;
-}
 
 /** Nearer to its partner than this, in cells, a pin holds. */
 const FAR = 1;

@@ -103,6 +103,16 @@ export function shift(x: number, y: number): Similarity {
   return { a: 1, b: 0, x, y };
 }
 
+/** What takes the first two points to the second two; null where the first are one, or there are no two. */
+export function similarityTaking([a, b]: readonly Point[], [c, d]: readonly Point[]): Similarity | null {
+  if (!a || !b || !c || !d) return null;
+  const [x, y, u, v] = [b.x - a.x, b.y - a.y, d.x - c.x, d.y - c.y];
+  const square = x * x + y * y;
+  if (square === 0) return null;
+  const [along, across] = [(x * u + y * v) / square, (x * v - y * u) / square];
+  return { a: along, b: across, x: c.x - along * a.x + across * a.y, y: c.y - across * a.x - along * a.y };
+}
+
 /** Scales and centres the shape so that its longer side is `size`. A single point only moves to the middle. */
 export function fitted(shape: Shape, size = FITTED_SIZE): Shape {
   const box = bounds(shape);

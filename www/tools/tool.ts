@@ -2,11 +2,12 @@
 
 import { signal } from "@preact/signals";
 import { fetched } from "../controls/fetched";
-import { begun, chosen, fetchKit } from "../pins/kit";
+import { begun, chosen, fetchKit as fetchPins } from "../pins/kit";
+import { fetchKit } from "./kit";
 
-export type Tool = "draw" | "pin";
+export type ToolName = "draw" | "circle" | "polygon" | "mirror" | "pin";
 
-export const tool = signal<Tool>("draw");
+export const tool = signal<ToolName>("draw");
 
 /** What puts a tool into the hand; the page is seen before it is there. */
 export const hands = signal<typeof import("../controls/hand") | null>(null);
@@ -20,8 +21,9 @@ export async function fetchHands(): Promise<void> {
 export const said = signal("");
 
 /** Takes up the tool, after fetching it. Throws a sentence when that fails. */
-export async function choose(wanted: Tool): Promise<void> {
-  if (wanted === "pin") await fetchKit();
+export async function choose(wanted: ToolName): Promise<void> {
+  if (wanted === "pin") await fetchPins();
+  else if (wanted !== "draw") await fetchKit();
   said.value = "";
   begun.value = null;
   chosen.value = null;

@@ -75,6 +75,8 @@ export const en = {
   guess: { begin: "Guess first", another: "Another point", end: "Done" },
 
   save: {
+    name: "Save",
+    busy: "Saving …",
     legend: "With a legend",
     formats: {
       png: "Picture (PNG)",

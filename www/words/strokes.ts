@@ -23,3 +23,8 @@ export const WAYS: Readonly<Record<Fault, string>> = {
   small: "Enlarge it",
   border: "Move it inside",
 };
+
+/** Spoken when a curve has been drawn. */
+export function drawnWords(side: "reference" | "template", count: number): string {
+  return count === 1 ? `The ${side} is one closed curve now.` : `The ${side} has ${count} closed curves now.`;
+}

@@ -3,19 +3,17 @@
 import type { Point } from "../shapes/geometry";
 import { MOST_PINS, type Pin, type Shapes } from "../shapes/pins";
 import { drawCursor, stepped } from "../tools/cursor";
-import { type Ground, type Hand, pointerKind, TARGET } from "../tools/hand";
+import { type Contact, type Ground, TARGET, type Tool } from "../tools/hand";
 import { said } from "../tools/tool";
 import type { Frame } from "../view/canvas";
 import type { Theme } from "../view/palette";
+import { place } from "../words/place";
 import { drawPin } from "./draw";
 import { begun, chosen } from "./kit";
 import { snapped, withEnd, without } from "./places";
-import { place, told } from "./words";
-
-type Side = "reference" | "template";
+import { told } from "./words";
 
 export interface PinHost extends Ground {
-  readonly side: Side;
   shapes(): Shapes;
   /** The pins while the hand moves one; `at` is the time of the event. */
   preview(pins: readonly Pin[], at: number): void;
@@ -33,9 +31,8 @@ type Gesture =
   | { readonly kind: "set"; point: Point }
   | { readonly kind: "move"; readonly index: number; readonly before: readonly Pin[]; moved: boolean };
 
-export class PinHand implements Hand {
+export class PinTool implements Tool {
   private readonly host: PinHost;
-  private readonly listening = new AbortController();
   private gesture: Gesture | null = null;
   private cursor: Point | null = null;
   /** The pin that the arrow keys carry, and the pins as they were. */
@@ -43,12 +40,6 @@ export class PinHand implements Hand {
 
   constructor(host: PinHost) {
     this.host = host;
-    const { canvas } = host;
-    const options = { signal: this.listening.signal };
-    canvas.addEventListener("pointerdown", (event) => this.press(event), options);
-    canvas.addEventListener("pointermove", (event) => this.move(event), options);
-    canvas.addEventListener("pointerup", (event) => this.release(event), options);
-    canvas.addEventListener("pointercancel", () => this.cancel(), options);
   }
 
   cancel(): void {
@@ -56,12 +47,6 @@ export class PinHand implements Hand {
     this.gesture = null;
     this.carried = null;
     this.host.repaint();
-  }
-
-  dispose(): void {
-    this.listening.abort();
-    this.cancel();
-    this.host.canvas.style.cursor = "";
   }
 
   key(event: KeyboardEvent): boolean {
@@ -88,48 +73,38 @@ export class PinHand implements Hand {
     if (this.cursor && document.activeElement === this.host.canvas) drawCursor(context, frame, colours, this.cursor);
   }
 
-  private press(event: PointerEvent): void {
-    if (event.button !== 0 || this.gesture) return;
-    const point = this.host.pointFrom(event);
-    this.host.canvas.setPointerCapture(event.pointerId);
+  press({ point, kind }: Contact): void {
     this.cursor = null;
-    const index = this.pinAt(point, TARGET[pointerKind(event)]);
+    const index = this.pinAt(point, TARGET[kind]);
     if (index === null) this.gesture = { kind: "set", point };
     else {
       this.gesture = { kind: "move", index, before: this.host.shapes().pins, moved: false };
       this.choose(index);
     }
-    this.host.repaint();
   }
 
-  private move(event: PointerEvent): void {
-    const point = this.host.pointFrom(event);
+  hover(contact: Contact | null): string {
+    return contact && this.pinAt(contact.point, TARGET[contact.kind]) !== null ? "grab" : "crosshair";
+  }
+
+  drag({ point, at }: Contact): void {
     const { gesture } = this;
-    if (!gesture) {
-      const index = this.pinAt(point, TARGET[pointerKind(event)]);
-      this.host.canvas.style.cursor = index === null ? "crosshair" : "grab";
-      return;
-    }
-    if (gesture.kind === "set") gesture.point = point;
-    else {
-      const { index, before } = gesture;
-      const from = before[index][this.host.side];
-      gesture.moved ||= Math.hypot(point.x - from.x, point.y - from.y) * this.host.pixelsPerUnit > 4;
-      if (gesture.moved)
-        this.host.preview(withEnd(before, index, this.host.side, this.snapped(point)), event.timeStamp);
-    }
-    this.host.repaint();
+    if (gesture?.kind === "set") gesture.point = point;
+    if (gesture?.kind !== "move") return;
+    const { index, before } = gesture;
+    const from = before[index][this.host.side];
+    gesture.moved ||= Math.hypot(point.x - from.x, point.y - from.y) * this.host.pixelsPerUnit > 4;
+    if (gesture.moved) this.host.preview(withEnd(before, index, this.host.side, this.snapped(point)), at);
   }
 
-  private release(event: PointerEvent): void {
+  release({ point }: Contact): void {
     const { gesture } = this;
     this.gesture = null;
-    if (gesture?.kind === "set") this.set(this.snapped(this.host.pointFrom(event)));
+    if (gesture?.kind === "set") this.set(this.snapped(point));
     else if (gesture?.moved) {
       this.host.commit(this.host.shapes().pins);
       this.say(told.moved, gesture.index);
     }
-    this.host.repaint();
   }
 
   /** Begins a pin, or ties its partner to this point. */

@@ -1,0 +1,7 @@
+/** The tools beyond pencil and pins, and what is done to one curve: fetched when the first is wanted. */
+
+export { Actions, guide } from "./Actions";
+export { Circle } from "./circle";
+export { drawChosen } from "./draw";
+export { Mirror } from "./mirror";
+export { Polygon } from "./polygon";

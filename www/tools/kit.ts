@@ -1,0 +1,19 @@
+/** What the page knows of the further tools before they are there. */
+
+import { signal } from "@preact/signals";
+import { fetched } from "../controls/fetched";
+import type { Outline } from "./outline";
+
+/** Circle, polygon, mirror and what is done to one curve, once it is there. */
+export const kit = signal<typeof import("./index") | null>(null);
+
+/** Throws a sentence when it cannot be had. */
+export async function fetchKit(): Promise<void> {
+  kit.value ??= await fetched("What is needed for this tool", () => import("./index"));
+}
+
+/** The outline that waits for its next point, and how many it has. */
+export const open = signal<{ readonly outline: Outline; readonly count: number } | null>(null);
+
+/** The curve that is smoothed or deleted. */
+export const curve = signal<{ readonly side: "reference" | "template"; readonly loop: number } | null>(null);

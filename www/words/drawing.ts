@@ -1,0 +1,58 @@
+/** What the page says of the tools that are fetched when they are first taken up. */
+
+import type { Point } from "../shapes/geometry";
+import { place } from "./place";
+
+type Side = "reference" | "template";
+
+export const guides = {
+  circle: "Press where the middle is to be, and drag outwards.",
+  polygon: "Press corner after corner; the first corner again closes the outline.",
+  mirror: "Draw one half from the dashed line back to it: the other half is its mirror image.",
+  /** While an outline is open. */
+  open: (count: number, least: number) =>
+    count < least
+      ? `${points(count)}: go on with the next.`
+      : `${points(count)}: press the first again, or Enter, to close.`,
+  rim: "Arrow keys widen the circle, Enter sets it down.",
+};
+
+export const actions = {
+  count: points,
+  close: "Close outline",
+  back: "Delete last",
+  giveUp: "Give up",
+  rounding: "Smooth",
+  roundness: (percent: number) => (percent === 0 ? "as drawn" : `${percent} %`),
+  deleteCurve: "Delete curve",
+};
+
+/** Spoken; points counted from 0. */
+export const told = {
+  walk: (at: Point, index: number | null, count: number, closes: boolean) =>
+    index === null
+      ? `${place(at)}.`
+      : `${place(at)}, at point ${index + 1} of ${count}${closes ? ": Enter closes the outline" : ""}.`,
+  set: (index: number, at: Point) => `Point ${index + 1} set: ${place(at)}.`,
+  chosen: (index: number, count: number, at: Point) =>
+    `Point ${index + 1} of ${count}: ${place(at)}. Space takes it up, Delete deletes it.`,
+  takenUp: (index: number) => `Point ${index + 1} taken up: arrow keys move it, Space sets it down.`,
+  moved: (index: number, at: Point) => `Point ${index + 1} moved: ${place(at)}.`,
+  deleted: (index: number, count: number) =>
+    count === 0 ? "The last point is deleted." : `Point ${index + 1} deleted; ${points(count)} left.`,
+  tooFew: (count: number, least: number) => `${points(count)} so far: an outline needs ${least}.`,
+  putBack: "Put back.",
+  givenUp: "The outline is given up.",
+  centre: (at: Point) => `Middle set: ${place(at)}. Arrow keys widen the circle, Enter sets it down.`,
+  rim: (at: Point, radius: number) => `${place(at)}: radius ${Number(radius.toFixed(3))}.`,
+  circleGivenUp: "The circle is given up.",
+  rounded: (percent: number, side: Side) =>
+    percent === 0
+      ? `The curve of the ${side} is as it was drawn.`
+      : `The curve of the ${side} is smoothed by ${percent} %.`,
+  curveDeleted: (side: Side) => `Curve deleted from the ${side}.`,
+};
+
+function points(count: number): string {
+  return count === 1 ? "1 point" : `${count} points`;
+}

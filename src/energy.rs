@@ -14,7 +14,6 @@ mod membrane;
 mod mismatch;
 mod pin;
 mod projected;
-mod spectral;
 mod tangency;
 mod volume;
 
@@ -25,6 +24,7 @@ pub use pin::Pin;
 pub use projected::ProjectedMembrane;
 pub use tangency::Tangency;
 pub use volume::Volume;
+pub(crate) use volume::shortened;
 
 use crate::small::{Matrix, Scalar, Vector};
 

@@ -111,6 +111,13 @@ impl<const D: usize> StencilOperator<D> {
         &mut self.blocks[first..][..Self::BLOCK]
     }
 
+    /// The blocks of the nodes from `node` on with this neighbour of theirs, and how far apart they stand.
+    #[inline(always)]
+    pub fn blocks_along_mut(&mut self, node: usize, neighbour: usize) -> (&mut [f32], usize) {
+        let first = (self.margin() + node) * Self::ROW + (neighbour - Self::CENTRE) * Self::BLOCK;
+        (&mut self.blocks[first..], Self::ROW)
+    }
+
     /// The mean of all diagonal entries.
     pub fn mean_diagonal(&self) -> f32 {
         let sum: f64 = self

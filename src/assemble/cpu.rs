@@ -6,6 +6,7 @@ mod element;
 mod pins;
 mod planar;
 mod shell;
+mod spatial;
 mod transfer;
 mod volume;
 
@@ -34,6 +35,7 @@ pub struct CpuAssembler<const D: usize, S: Scalar = F64x2> {
     volume_weight: Vec<f64>,
     pins: Vec<pins::Placed<D>>,
     corner_neighbours: [[usize; MAX_CORNERS]; MAX_CORNERS],
+    integrals: spatial::CellIntegrals<D>,
 }
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
@@ -43,7 +45,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         let grid = reference.grid();
         assert_eq!(grid, template.grid(), "both shapes live on the level's grid");
         assert_eq!(grid.cells() % F32x4::LANES, 0, "a row of cells fills its lanes");
-        let gauss3 = Rule::gauss3();
+        let (gauss3, gauss2) = (Rule::gauss3(), Rule::gauss2());
         let cell_volume = grid.spacing().powi(D as i32);
         let offsets = grid.corner_offsets();
         let inside = |cell: usize| {
@@ -62,7 +64,8 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             band: Band::new(functional, reference, &gauss3),
             template: TemplateField::new(template, functional.fit_radius),
             gauss3,
-            gauss2: Rule::gauss2(),
+            integrals: spatial::CellIntegrals::new(&gauss2),
+            gauss2,
             vertices: Rule::vertices(),
             volume_weight,
             pins: Vec::new(),
@@ -118,7 +121,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 if D == 2 {
                     self.planar_hessian_pass::<F32x4, C>(displacement, operator);
                 } else {
-                    self.volume_hessian_pass::<F32x4, C>(displacement, operator);
+                    self.spatial_hessian_pass::<C>(displacement, operator);
                 }
             }
         }

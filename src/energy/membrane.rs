@@ -1,6 +1,5 @@
-use super::spectral::{by_lane, membrane_hessian};
 use super::{GRADIENT, HESSIAN, Material, Point, Response, Term};
-use crate::small::{Matrix, Scalar, Vector, dot};
+use crate::small::{Matrix, Scalar, Vector, dot, normal_to};
 
 /// Penalises stretching and squeezing within the shell.
 ///
@@ -8,7 +7,11 @@ use crate::small::{Matrix, Scalar, Vector, dot};
 /// ∂W/∂v_i = μ v_i + 2 g′(det G) Σ_j cof(G)_ij v_j.
 ///
 /// Hessian, D = 2, with s = |v|²: the eigenvalue along v is μ + 2g′ + 4s g″, always positive; the one across is
-/// μ + 2g′, negative under compression and clipped at 0 (a compressed bar buckles).  D = 3: see `spectral`.
+/// μ + 2g′, negative under compression and clipped at 0 (a compressed bar buckles).
+///
+/// Hessian, D = 3, with k(J) = g(J²), J = √det G, and the normal n of the moved shell: within its plane
+/// μ 1 + t k′ ∂²J + k″ ∂J ⊗ ∂J, where ∂²J has the eigenvalues ±1 and t = min(1, μ/|k′|) leaves none negative; across it
+/// (μ 1 + k′ cof(G)/J)₊ ⊗ n ⊗ n, clipped at 0.
 /// Units: none.  Source: eq. (2).
 pub struct Membrane(pub Material);
 
@@ -86,7 +89,7 @@ pub(super) fn projected_hessian<S: Scalar, const D: usize>(
     strain: &Strain<S>,
 ) -> [[Matrix<S, D>; D]; D] {
     if D == 3 {
-        return by_lane(v, |v| membrane_hessian(material, v));
+        return surface_hessian(material, v, strain);
     }
     let mu = S::splat(material.mu);
     let (_, slope, bend) = material.dilation(strain.det);
@@ -101,4 +104,59 @@ pub(super) fn projected_hessian<S: Scalar, const D: usize>(
         blocks[0][0][a][a] += across;
     }
     blocks
+}
+
+/// [`projected_hessian`] for D = 3.
+#[inline(always)]
+fn surface_hessian<S: Scalar, const D: usize>(
+    material: &Material,
+    v: &[Vector<S, D>; D],
+    strain: &Strain<S>,
+) -> [[Matrix<S, D>; D]; D] {
+    let (zero, half, tiny) = (S::zero(), S::splat(0.5), S::splat(1e-30));
+    let mu = S::splat(material.mu);
+    let (_, slope, bend) = material.dilation(strain.det);
+    let area = strain.det.sqrt();
+    let first = (area + area) * slope;
+    let second = slope + slope + S::splat(4.0) * strain.det * bend;
+    let within = first * (mu / first.abs().max(mu));
+    let normal = normal_to(v).map(|x| x / area);
+    // ∂J/∂v₀ = v₁×n and ∂J/∂v₁ = n×v₀.
+    let by_first = normal_to(&pair_of(&v[1], &normal));
+    let by_second = normal_to(&pair_of(&normal, &v[0]));
+
+    // (μ 1 + k′ cof(G)/J)₊ by its mean and the deviation from it.
+    let ratio = first / area;
+    let (aa, bb, ab) = (mu + ratio * strain.cof[0][0], mu + ratio * strain.cof[1][1], ratio * strain.cof[0][1]);
+    let (mean, deviation) = (half * (aa + bb), half * (aa - bb));
+    let radius = (deviation * deviation + ab * ab).sqrt();
+    let (high, low) = ((mean + radius).max(zero), (mean - radius).max(zero));
+    let (centre, spread) = (half * (high + low), half * (high - low) / radius.max(tiny));
+    let across = [[centre + spread * deviation, spread * ab], [spread * ab, centre - spread * deviation]];
+
+    let slopes = [by_first, by_second];
+    let mut blocks = [[[[zero; D]; D]; D]; D];
+    for (i, j) in [(0, 0), (0, 1), (1, 1)] {
+        let own = if i == j { mu } else { zero };
+        for a in 0..D {
+            for b in 0..D {
+                blocks[i][j][a][b] =
+                    second * slopes[i][a] * slopes[j][b] + (across[i][j] - own) * normal[a] * normal[b];
+            }
+            blocks[i][j][a][a] += own;
+        }
+    }
+    // ∂²J takes changes a of v₀ and b of v₁ within the plane to n·(a×b).
+    for a in 0..D {
+        let (b, c) = ((a + 1) % D, (a + 2) % D);
+        blocks[0][1][a][b] += within * normal[c];
+        blocks[0][1][b][a] += -(within * normal[c]);
+    }
+    blocks
+}
+
+/// Two vectors as the first of a frame, for their cross product.
+#[inline(always)]
+fn pair_of<S: Scalar, const D: usize>(a: &Vector<S, D>, b: &Vector<S, D>) -> [Vector<S, D>; D] {
+    std::array::from_fn(|k| if k == 0 { *a } else { *b })
 }

@@ -1,6 +1,5 @@
-use super::spectral::{by_lane, volume_hessian};
 use super::{GRADIENT, HESSIAN, MAX_SLOTS, Material, Point, Response, Term};
-use crate::small::{Matrix, Scalar, cofactor, determinant, frobenius};
+use crate::small::{Matrix, Scalar, cofactor, determinant, dot, frobenius};
 
 /// Penalises the deformation of the surrounding space; infinite where it would fold.
 ///
@@ -9,7 +8,13 @@ use crate::small::{Matrix, Scalar, cofactor, determinant, frobenius};
 /// Curvature, D = 2: split F into its conformal part z₊ and its anticonformal part z₋ (two coordinates each,
 /// orthonormal), so that |F|² = |z₊|² + |z₋|² and J = (|z₊|² − |z₋|²)/2.  With k(J) = g(J²) the second derivative is
 /// μ + k′ across z₊ (twist), μ − k′ across z₋ (flip), and a 2×2 block along (z₊, z₋) (scaling); each is projected
-/// onto the positive semi-definite ones.  D = 3: the same modes by singular values, see `spectral`.
+/// onto the positive semi-definite ones.
+///
+/// Curvature, D = 3: μ 1 + t k′ ∂²J + k″ ∂J ⊗ ∂J, of which only the middle part is indefinite. ∂²J has the eigenvalues ±σ_i
+/// (twists and flips), σ the singular values of F, and those of a block in the span of the stretches, of least value
+/// −|F| or more. Under compression (k′J < 0) that block is no danger: off its diagonal, k″ ∂J ⊗ ∂J has the same entries times
+/// k″J > |k′|. So t = min(1, μ/(|k′| s)) with s the largest σ_i under compression and |F| otherwise leaves no negative
+/// eigenvalue; at F = 1, as nearly everywhere, t = 1 and the second derivative is exact.
 /// Units: none.  Source: eq. (8).
 pub struct Volume(pub Material);
 
@@ -31,20 +36,11 @@ impl<const D: usize> Term<D> for Volume {
             }
         }
         if ORDER >= HESSIAN {
+            let bulk = slope + slope + S::splat(4.0) * det * det * bend;
             if D == 2 {
-                let bulk = slope + slope + S::splat(4.0) * det * det * bend;
                 planar_hessian(weight, f, mu, twist, bulk, &mut response.hessian);
             } else {
-                let blocks = by_lane(f, |f| volume_hessian(material, f));
-                for p in 0..D {
-                    for q in p..D {
-                        for a in 0..D {
-                            for b in 0..D {
-                                response.hessian[p][q][a][b] += weight * blocks[p][q][a][b];
-                            }
-                        }
-                    }
-                }
+                spatial_hessian(weight, f, mu, twist, bulk, &mut response.hessian);
             }
         }
         S::splat(0.5) * mu * frobenius(f) + g
@@ -107,4 +103,60 @@ fn planar_hessian<S: Scalar, const D: usize>(
     hessian[0][1][0][1] += w * (p[0] - m[0]);
     hessian[0][1][1][0] += w * (m[2] - p[2]);
     hessian[0][1][1][1] += w * (p[1] + cross[0][1] - cross[1][0] - m[1]);
+}
+
+/// Adds the shortened second derivative of μ/2|F|² + k(det F), with k′ and k″ given, for D = 3.
+#[inline(always)]
+fn spatial_hessian<S: Scalar, const D: usize>(
+    weight: S,
+    f: &Matrix<S, D>,
+    mu: S,
+    first: S,
+    second: S,
+    hessian: &mut [[Matrix<S, D>; MAX_SLOTS]; MAX_SLOTS],
+) {
+    let cof = cofactor(f);
+    let det = dot(&f[0], &cof[0]);
+    let first = weight * shortened(first, f, det, mu);
+    let (mu, second) = (weight * mu, weight * second);
+    for p in 0..D {
+        for a in 0..D {
+            hessian[p][p][a][a] += mu;
+            for q in p..D {
+                for b in 0..D {
+                    hessian[p][q][a][b] += second * cof[p][a] * cof[q][b];
+                }
+            }
+        }
+        // ∂²J takes changes a and b of columns p < q to ±r·(a×b), r the third column.
+        for q in p + 1..D {
+            let r = D - p - q;
+            let sign = if q == p + 1 { first } else { -first };
+            for a in 0..D {
+                let (b, c) = ((a + 1) % D, (a + 2) % D);
+                hessian[p][q][a][b] += sign * f[r][c];
+                hessian[p][q][b][a] += -(sign * f[r][c]);
+            }
+        }
+    }
+}
+
+/// t k′: of the indefinite part k′ ∂²J of the second derivative at F, with J = det F, what μ outweighs.
+#[inline(always)]
+pub(crate) fn shortened<S: Scalar, const D: usize>(first: S, f: &Matrix<S, D>, det: S, mu: S) -> S {
+    let square = frobenius(f);
+    // A bound of the largest eigenvalue of FᵀF by its mean and the deviation from it, sharp at the identity.
+    let mut squares = S::zero();
+    for p in 0..D {
+        for q in 0..D {
+            squares += dot(&f[p], &f[q]).square();
+        }
+    }
+    let mean = square * S::splat(1.0 / D as f64);
+    let deviation = (squares - square * mean).max(S::zero()) * S::splat((D as f64 - 1.0) / D as f64);
+    let largest = mean + deviation.sqrt();
+    let zero = S::zero();
+    let outward = first * (det / det.abs().max(S::splat(1e-30)));
+    let bound = (-outward).max(zero) * largest.sqrt() + outward.max(zero) * square.sqrt();
+    first * (mu / bound.max(mu))
 }

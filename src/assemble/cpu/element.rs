@@ -91,7 +91,7 @@ pub(super) fn edge_forces_to_corners<S: Scalar, const D: usize>(
 }
 
 /// Adds the block of two edges to the blocks of their ends; (p, e) against (q, f) stands for its mirror image too.
-#[inline(always)]
+#[cfg(test)]
 pub(super) fn add_edge_pair<S: Scalar, const D: usize, const C: usize>(
     pairs: &mut Pairs<S, D, C>,
     (p, e): (usize, usize),

@@ -61,7 +61,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         least.least()
     }
 
-    /// What [`volume_hessian_pass`](Self::volume_hessian_pass) adds, for D = 2.
+    /// What [`spatial_hessian_pass`](Self::spatial_hessian_pass) adds, for D = 2.
     pub(super) fn planar_hessian_pass<T: Scalar, const C: usize>(
         &self,
         displacement: &[f64],

@@ -1,14 +1,21 @@
 //! The volume energy, over all cells.
 
 use super::CpuAssembler;
+#[cfg(test)]
+use super::element::add_edge_pair;
 use super::element::{
-    Columns, Edges, MAX_COLUMNS, MAX_EDGES, add_edge_pair, columns_of, edge_differences, edge_forces_to_corners,
-    slots_at, stress_to_edges,
+    Columns, Edges, MAX_COLUMNS, MAX_EDGES, columns_of, edge_differences, edge_forces_to_corners, slots_at,
+    stress_to_edges,
 };
-use crate::energy::{Energies, GRADIENT, HESSIAN, Point, Response, Term, VALUE, Volume};
+#[cfg(test)]
+use crate::energy::HESSIAN;
+use crate::energy::{Energies, GRADIENT, Point, Response, Term, VALUE, Volume};
 use crate::grid::MAX_CORNERS;
-use crate::quadrature::{Rule, edge_ends};
+use crate::quadrature::Rule;
+#[cfg(test)]
+use crate::quadrature::edge_ends;
 use crate::small::{Scalar, add_scaled, determinant};
+#[cfg(test)]
 use crate::stencil::StencilOperator;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
@@ -75,7 +82,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             let weight = weight * S::splat(rule.weight[point]);
             let slots = slots_at(rule, columns, point);
             let mut response = Response::zero();
-            // The hessian has a rule of its own, see `volume_hessian_pass`.
+            // The hessian has a rule of its own, see `spatial_hessian_pass`.
             energy += weight
                 * if ORDER == VALUE {
                     volume.add::<S, VALUE>(weight, &Point::of_derivative(slots), &mut response)
@@ -95,8 +102,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         energy
     }
 
-    /// The volume's hessian over all cells, `T` lanes at a time. 2^D Gauss points suffice: they leave no mode of a cell
-    /// without hessian, and the minimiser needs as many iterations as with 3^D.
+    /// The volume's hessian over all cells as the definition has it, by the term at 2^D Gauss points: what the passes of
+    /// each dimension are compared with.
+    #[cfg(test)]
     pub(super) fn volume_hessian_pass<T: Scalar, const C: usize>(
         &self,
         displacement: &[f64],

@@ -14,7 +14,8 @@ use crate::stencil::StencilOperator;
 pub struct Evaluation {
     /// Weighted energies; meaningless where the deformation folds.
     pub energies: Energies,
-    /// The least of det Dφ over all corners of all cells.
+    /// A lower bound of det Dφ over all cells: D = 2, where it is linear along every edge of a cell, the least over all
+    /// corners, which is attained; D = 3 the least coefficient in Bernstein's basis.
     pub least_determinant: f64,
 }
 

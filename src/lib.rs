@@ -21,7 +21,8 @@
 //! | α, δ, 1/ε, ξ, ζ, θ | weights, thickness, penalty, softness outside, vertex share | [`settings::Settings`] |
 //!
 //! Conventions: lengths are in units of the box; nodes and cells are numbered x fastest; φ is multilinear on a grid of
-//! 2^l cells a side with all nodes free; a deformation is admissible if det Dφ > 0 at all corners of all cells.
+//! 2^l cells a side with all nodes free; a deformation is admissible if det Dφ > 0 in all cells: for D = 2 at all corners, for
+//! D = 3 by its Bernstein coefficients.
 //!
 //! Source: J. A. Iglesias, B. Berkels, M. Rumpf, O. Scherzer, "A Thin Shell Approach to the Registration of Implicit
 //! Surfaces", Vision, Modeling and Visualization 2013; equation numbers in this crate are the paper's.

@@ -5,7 +5,8 @@ use crate::grid::Grid;
 /// The multilinear interpolant of D interleaved components on the grid with twice the cells a side.
 ///
 /// The fine field is the same function as the coarse one. For D = 2 its determinant is linear along the edges of
-/// a cell, so positive determinants at the corners stay positive.
+/// a cell, so positive determinants at the corners stay positive; for D = 3 the Bernstein coefficients of the halves of a cell
+/// are averages of the whole's, so positive ones stay positive.
 pub fn prolongate<const D: usize>(coarse: Grid<D>, values: &[f64]) -> Vec<f64> {
     assert_eq!(values.len(), coarse.node_count() * D);
     let fine = Grid::<D>::new(2 * coarse.cells());

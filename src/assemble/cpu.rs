@@ -1,6 +1,7 @@
 //! The reference assembler: f64, one thread, two cells at a time in the lanes of a register.
 
 mod bilinear;
+mod certificate;
 mod corners;
 mod element;
 mod pins;

@@ -1,6 +1,7 @@
 //! The volume energy, over all cells.
 
 use super::CpuAssembler;
+use super::certificate::{coefficients, quick_bound};
 #[cfg(test)]
 use super::element::add_edge_pair;
 use super::element::{
@@ -17,6 +18,7 @@ use crate::quadrature::edge_ends;
 use crate::small::{Scalar, add_scaled, determinant};
 #[cfg(test)]
 use crate::stencil::StencilOperator;
+use std::cmp::Ordering;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     /// Volume energy over all cells; returns the least determinant, and early once it is not positive.
@@ -42,10 +44,16 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             let edges = edge_differences(&corners, inverse);
             let mut forces = [[[S::zero(); D]; MAX_EDGES]; D];
 
-            // The corners first: they decide whether the deformation is admissible.
+            // Admissibility first. Only cells that may lower the bound are looked at closely, and those that are not numbers.
+            let may_lower = || (quick_bound(&edges) - least).least().partial_cmp(&0.0) != Some(Ordering::Greater);
+            if D == 3 && may_lower() {
+                least = coefficients(&edges).into_iter().fold(least, S::min);
+            }
             let columns = columns_of(&self.vertices, &edges);
-            for point in 0..Rule::<D, 2>::POINTS {
-                least = least.min(determinant(&slots_at(&self.vertices, &columns, point)));
+            if D != 3 {
+                for point in 0..Rule::<D, 2>::POINTS {
+                    least = least.min(determinant(&slots_at(&self.vertices, &columns, point)));
+                }
             }
             if self.functional.vertex_share > 0.0 {
                 energy += self.volume_rule::<2, ORDER>(&self.vertices, &volume, weight * share, &columns, &mut forces);

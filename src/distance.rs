@@ -2,12 +2,13 @@
 //!
 //! d(x) = ± dist(x, M), positive outside M and negative inside, in domain units (the box is `[0,1]^D`).
 //! [`SignedDistance::from_loops`] makes one of polygons, [`SignedDistance::from_mask`] of a picture,
-//! [`SignedDistance::redistance`] of any level set; [`SignedDistance::from_level_set`] takes nodal values as they are.
+//! [`SignedDistance::from_mesh`] of triangles, [`SignedDistance::redistance`] of any level set; [`SignedDistance::from_level_set`] takes nodal values as they are.
 
 mod carry;
 mod level_set;
 mod march;
 mod mask;
+mod mesh;
 mod nearest;
 mod outline;
 mod polygon;

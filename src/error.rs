@@ -53,6 +53,30 @@ pub enum ShapeError {
     )]
     TooThin { share: f64, cells: usize },
     #[error(
+        "is too thin for the grid of {cells} cells a side, which sees {} % of its surface and least of it at {}; make it thicker or choose a finer grid",
+        fixed(100.0 * share, 0), place_in_space(at)
+    )]
+    TooThinAt { share: f64, cells: usize, at: [f64; 3] },
+    #[error("has no triangles; load a closed mesh")]
+    NoTriangles,
+    #[error("has more than {most} triangles; simplify the mesh")]
+    TooManyTriangles { most: usize },
+    #[error("has a vertex with a coordinate that is not finite (vertex {vertex}); remove or replace it")]
+    VertexNotFinite { vertex: usize },
+    #[error(
+        "has a triangle with vertex {index} (triangle {triangle}), but there are only {vertices} vertices, numbered from 0"
+    )]
+    NoSuchVertex { triangle: usize, index: u32, vertices: usize },
+    #[error("holds {found} numbers as its {name}, but {needed}")]
+    MeshLength { name: &'static str, found: usize, needed: &'static str },
+    #[error(
+        "is open: {edges} edges belong to one triangle only, the largest hole is at {}; close it, only small holes are closed by themselves",
+        place_in_space(at)
+    )]
+    OpenMesh { edges: usize, at: [f64; 3] },
+    #[error("encloses no volume; load a mesh that goes around something")]
+    NoVolume,
+    #[error(
         "leaves the box on the {side} ({coordinate} = {}); make it smaller or move it inwards (\"Fit\" does both)",
         place(*value)
     )]
@@ -90,4 +114,9 @@ pub enum ShapeError {
 /// A coordinate, with an exponent where it lies so far off that its digits would fill the page.
 fn place(value: f64) -> String {
     if value.abs() < 1e6 { fixed(value, 3) } else { scientific(value) }
+}
+
+fn place_in_space(at: &[f64; 3]) -> String {
+    let [x, y, z] = at.map(|x| fixed(x, 2));
+    format!("({x}, {y}, {z})")
 }

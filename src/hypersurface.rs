@@ -5,11 +5,13 @@ mod march;
 mod tree;
 
 pub use loops::Loop;
+pub(crate) use tree::square_to;
 pub use tree::{Nearest, Tree};
 
 use crate::field::interpolate;
 use crate::grid::Grid;
-use glam::DVec2;
+use crate::numbers::Numbers;
+use glam::{DVec2, DVec3};
 
 /// Simplices of D corners each, in domain units; neighbours share their corners.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +47,11 @@ impl<const D: usize> Hypersurface<D> {
         &self.simplices
     }
 
+    /// The corners of each simplex.
+    pub fn all_corners(&self) -> impl Iterator<Item = [[f64; D]; D]> {
+        (0..self.simplices.len()).map(|simplex| self.corners(simplex))
+    }
+
     fn corners(&self, simplex: usize) -> [[f64; D]; D] {
         self.simplices[simplex].map(|corner| self.points[corner as usize])
     }
@@ -73,6 +80,37 @@ impl<const D: usize> Hypersurface<D> {
     pub fn moved(&self, grid: Grid<D>, displacement: &[f64]) -> Self {
         let points = self.points.iter().map(|point| image(grid, displacement, point)).collect();
         Self { points, simplices: self.simplices.clone() }
+    }
+}
+
+impl Hypersurface<3> {
+    /// The same surface with triangles whose edges are no longer than `longest`, each cut across its longest edge until they
+    /// are. Neighbours cut a common edge alike.
+    pub fn cut(&self, longest: f64) -> Self {
+        let mut points = self.points.clone();
+        let mut middles = Numbers::default();
+        let first_middle = points.len();
+        let mut simplices = Vec::with_capacity(self.simplices.len());
+        let mut rest = self.simplices.clone();
+        while let Some(corners) = rest.pop() {
+            let square = |k: usize| {
+                let [a, b] = [corners[k], corners[(k + 1) % 3]].map(|corner| DVec3::from(points[corner as usize]));
+                a.distance_squared(b)
+            };
+            let along = (0..3).max_by(|&a, &b| square(a).total_cmp(&square(b))).unwrap_or(0);
+            if square(along) <= longest * longest {
+                simplices.push(corners);
+                continue;
+            }
+            let [a, b, c] = [0, 1, 2].map(|k| corners[(along + k) % 3]);
+            let middle = first_middle + middles.of([a.min(b), a.max(b)].map(i64::from)) as usize;
+            if middle == points.len() {
+                let [a, b] = [a, b].map(|corner| DVec3::from(points[corner as usize]));
+                points.push(a.midpoint(b).to_array());
+            }
+            rest.extend([[a, middle as u32, c], [middle as u32, b, c]]);
+        }
+        Self { points, simplices }
     }
 }
 

@@ -81,7 +81,12 @@ impl<const D: usize> Tree<D> {
 
     /// The nearest point of the surface.
     pub fn nearest(&self, point: &[f64; D]) -> Option<Nearest<D>> {
-        let (mut least, mut found) = (f64::INFINITY, None);
+        self.nearer(point, f64::INFINITY)
+    }
+
+    /// The nearest point of the surface if its squared distance is below `square`.
+    pub fn nearer(&self, point: &[f64; D], square: f64) -> Option<Nearest<D>> {
+        let (mut least, mut found) = (square, None);
         if let Some(bounds) = self.boxes.first() {
             self.search(0, bounds.distance_squared(point), point, &mut least, &mut found);
         }
@@ -121,6 +126,11 @@ impl<const D: usize> Bounds<D> {
         }
         square
     }
+}
+
+/// The squared distance of a point to a simplex.
+pub(crate) fn square_to<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D]) -> f64 {
+    foot(point, corners).0
 }
 
 /// The squared distance to a simplex, and the shares of its corners in the point that is nearest.

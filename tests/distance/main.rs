@@ -4,7 +4,10 @@
 
 mod degenerate;
 mod level_set;
+mod mesh;
 mod picture;
 mod polygon;
 mod refusal;
+#[path = "../common/solids.rs"]
+mod solids;
 mod support;

@@ -16,12 +16,15 @@ import { Caption, StatusPanel } from "./controls/StatusPanel";
 import { Terms } from "./controls/Terms";
 import { Problem, Toolbar } from "./controls/Toolbar";
 import { ViewPicker } from "./controls/ViewPicker";
+import { choose, view } from "./controls/viewing";
 import { moduleAt } from "./engine";
+import { open } from "./link/open";
+import { Memory } from "./memory/memory";
 import { changedFields, Session } from "./session";
-import { open, readStorage } from "./state";
 import { fetchHands } from "./tools/tool";
 import "./style.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
+import { memory as memoryWords } from "./words/memory";
 import SolverWorker from "./worker?worker&inline";
 
 function App({ session }: { session: Session }) {
@@ -79,6 +82,12 @@ function App({ session }: { session: Session }) {
         title="Compare side by side"
         load={async () => (await import("./controls/Compare")).Compare}
       />
+      <Later
+        session={session}
+        name="recent"
+        title={memoryWords.title}
+        load={async () => (await import("./controls/Recent")).Recent}
+      />
       <Import session={session} />
     </>
   );
@@ -118,8 +127,9 @@ const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no #app");
 // On its way while the page is drawn, which does not wait for it.
 const hands = fetchHands();
-const opened = open(location.hash, readStorage());
-const session = new Session({ module: moduleAt(solverUrl), spawn }, opened);
+const memory = new Memory();
+const opened = open(location, memory.found);
+const session = new Session({ module: moduleAt(solverUrl), spawn }, opened, { view, choose }, memory);
 if (!opened.later) session.glance();
 shortcuts(session);
 addEventListener("hashchange", () => session.openLink(location.hash));

@@ -1,22 +1,41 @@
+import { signal } from "@preact/signals";
 import { beforeEach, expect, test, vi } from "vitest";
+import { open } from "./link/open";
+import { Memory } from "./memory/memory";
+import { Sessions } from "./memory/sessions";
 import { Session } from "./session";
 import { FIELDS } from "./settings";
 import { PRESETS } from "./shapes/presets";
-import { open } from "./state";
 import { puppetEngine } from "./testing/puppet";
+import { fakeStorage } from "./testing/storage";
+import type { View } from "./view/names";
+
+let address = "";
 
 beforeEach(() => {
+  vi.stubGlobal("location", { href: "https://example.org/" });
+  vi.stubGlobal("history", {
+    replaceState: (_: unknown, __: string, to: string) => {
+      address = to;
+    },
+  });
   vi.useFakeTimers();
   vi.stubGlobal("requestAnimationFrame", () => 1);
   vi.stubGlobal("cancelAnimationFrame", () => {});
   vi.stubGlobal("addEventListener", () => {});
-  vi.stubGlobal("history", { replaceState: () => {} });
 });
 
 function stage(hash = "#v=1&preset=star&finest=5") {
   const { engine, puppets } = puppetEngine();
-  const session = new Session(engine, open(hash, null));
-  return { puppet: puppets[0], session };
+  const view = signal<View>("grid");
+  const choose = async (wanted: View) => {
+    view.value = wanted;
+  };
+  const local = fakeStorage();
+  const memory = new Memory(new Sessions(() => local), { id: "tab" });
+  const opened = open({ hash, search: "" }, null);
+  const session = new Session(engine, opened, { view, choose }, memory);
+  return { puppet: puppets[0], session, view, memory };
 }
 
 const BENDING = FIELDS.find(({ name }) => name === "bending");
@@ -116,4 +135,48 @@ test("undo after a link brings back shapes and settings alike", () => {
   expect(session.settings.value).toEqual({ finest: 6, bending: 0.5 });
   session.undo();
   expect([session.shapes.value, session.settings.value]).toEqual([before, { finest: 5 }]);
+});
+
+test("a link carries the view and the morph", () => {
+  const { session, view } = stage();
+  session.openLink("#v=2&preset=leaf&view=stretch&morph=0.5");
+  expect([view.value, session.morph.value]).toEqual(["stretch", 0.5]);
+  expect(session.link()).toBe("v=2&preset=leaf&view=stretch&morph=0.5");
+});
+
+test("a link that cannot be read ends in a sentence, changes nothing, and the address holds the shapes again", () => {
+  const { puppet, session } = stage();
+  const before = session.link();
+  for (const hash of ["#v=2&preset=dragon", "#v=9", "#utm=x", "#v=2&reference=AAAA&template=", "#%%%=%"]) {
+    session.openLink(hash);
+    expect(session.problem.value).toMatch(/^The link could not be read: .*\. Everything is left as it was\.$/);
+    expect([session.link(), address, session.canUndo.value]).toEqual([before, `https://example.org/#${before}`, false]);
+  }
+  expect(puppet.starts).toHaveLength(0);
+});
+
+test("an anchor of the page is followed, not read", () => {
+  const { session } = stage();
+  const before = session.link();
+  session.openLink("#method");
+  expect([session.link(), session.problem.value, session.canUndo.value]).toEqual([before, null, false]);
+});
+
+test("every step is kept at once, before the next moment can lose it", () => {
+  const { session, memory } = stage();
+  session.commitShape("template", []);
+  expect(memory.sessions.list()).toMatchObject([{ id: "tab", text: session.link() }]);
+  session.undo();
+  expect(memory.sessions.list()).toMatchObject([{ id: "tab", text: session.link() }]);
+});
+
+test("that nothing is kept is said once, and stays said until it has been read", () => {
+  const { session, memory } = stage();
+  vi.spyOn(memory.sessions, "write").mockReturnValue(false);
+  session.commitShape("template", []);
+  session.commitShape("reference", []);
+  expect(session.notice.value).toMatch(/^This browser keeps nothing for you/);
+  session.notice.value = null;
+  session.undo();
+  expect(session.notice.value).toBeNull();
 });

@@ -2,19 +2,24 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import type { Engine } from "./engine";
+import { addressOf, linkIn, type Opened, reason } from "./link/open";
+import { encode, type Saved } from "./link/text";
+import type { Memory } from "./memory/memory";
 import { fetchKit, kit } from "./pins/kit";
 import type { MatchRecord } from "./record";
 import { type Result, Run } from "./run";
 import { Runs } from "./runs";
 import { Edits, edited, type Side, type Step, sameShapes, stepOf } from "./session/edits";
 import { Live } from "./session/live";
+import type { Looks } from "./session/looks";
 import { inspectChanges } from "./session/narrow";
 import { rememberChanges } from "./session/remembering";
 import { type Chosen, FIELDS, type SettingField, sameSettings, withSetting } from "./settings";
 import { fitted, type Loop, type Shape } from "./shapes/geometry";
 import type { Pin, Shapes } from "./shapes/pins";
 import type { Preset } from "./shapes/presets";
-import { encode, type Opened, open, remember } from "./state";
+import { links } from "./words/links";
+import { memory as words } from "./words/memory";
 
 export type { Side } from "./session/edits";
 
@@ -33,6 +38,8 @@ export class Session {
   private readonly following: Live;
 
   readonly problem = signal<string | null>(null);
+  /** What stays true whatever is done next, until it has been read. */
+  readonly notice = signal<string | null>(null);
   readonly question = signal<Question | null>(null);
   /** 0 shows the identity, 1 the match. */
   readonly morph = signal(1);
@@ -45,6 +52,8 @@ export class Session {
   constructor(
     readonly engine: Engine,
     opened: Opened,
+    private readonly looks: Looks,
+    readonly memory: Memory,
   ) {
     const { saved, problem } = opened;
     this.edits = new Edits(stepOf(saved, saved.settings, saved.preset));
@@ -60,7 +69,11 @@ export class Session {
     });
     this.following = new Live(this.run, this.shapes, this.problem);
     const text = computed(() => this.link());
-    rememberChanges(text, opened.remembered ? null : text.value, remember);
+    rememberChanges(text, opened.unwritten ? null : encode(saved), (now) => memory.remember(now));
+    memory.onFailure = () => {
+      this.notice.value = words.failed;
+    };
+    this.look(saved);
     inspectChanges(
       computed(() => this.edits.present),
       this.run,
@@ -213,15 +226,18 @@ export class Session {
     this.travel(() => this.edits.redo());
   }
 
-  /** Shows what a link holds; what was before it is one undo away. */
+  /** Shows what a link holds; what was before it is one undo away. One that cannot be read changes nothing. */
   openLink(hash: string): void {
-    const { saved, problem, later } = open(hash, null);
-    if (problem) {
-      this.problem.value = problem;
-      return;
+    try {
+      const link = linkIn(hash);
+      if (!link) return;
+      this.commit(stepOf(link.saved, link.saved.settings, link.saved.preset));
+      this.look(link.saved);
+      if (!link.later) this.glance();
+    } catch (error) {
+      this.problem.value = links.kept(reason(error));
+      this.memory.remember(this.link());
     }
-    this.commit(stepOf(saved, saved.settings, saved.preset));
-    if (!later) this.glance();
   }
 
   /** Shows a saved match as it was; what was before it is one undo away. */
@@ -297,14 +313,27 @@ export class Session {
     this.question.value = null;
   }
 
-  /** The address that brings back what is on the page now. */
+  /** What brings back everything that is on the page now. */
   link(): string {
-    return encode({ ...this.edits.present, settings: this.settings.value });
+    return encode({ ...this.edits.present, view: this.looks.view.value, morph: this.morph.value });
+  }
+
+  /** The same as an address of this page. */
+  address(): string {
+    return addressOf(this.link());
   }
 
   /** To be called when the match has been drawn. */
   drawn(): void {
     this.run.drawn(this.match.value);
+  }
+
+  private look({ view, morph }: Pick<Saved, "view" | "morph">): void {
+    this.morph.value = morph;
+    if (view === this.looks.view.peek()) return;
+    this.looks.choose(view).catch((error) => {
+      this.problem.value = reason(error);
+    });
   }
 
   private withSetting(field: SettingField, value: number | string | boolean): Step {
@@ -338,6 +367,7 @@ export class Session {
     const before = this.edits.present;
     if (!go()) return;
     this.dismiss();
+    this.memory.keep(this.link());
     this.following.changed(changeOf(this.edits.present, before));
   }
 

@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { button, clear, drawn, ellipse, paint, type Side, settings, stroke, surface } from "./handles";
+import { button, clear, drawn, ellipse, loops, paint, type Side, settings, stroke, surface } from "./handles";
 
 test.beforeEach(async ({ page }) => {
   await page.goto("./");
@@ -59,9 +59,8 @@ test("pulling the curve bends it there and only there", async ({ page }) => {
     [0.74, 0.5],
     [0.78, 0.5],
   ]);
-  const points = await loop(page, "Reference");
-  expect(Math.max(...points.map(([x]) => x))).toBeCloseTo(0.78, 1);
-  expect(Math.min(...points.map(([x]) => x))).toBeCloseTo(0.3, 2);
+  await expect.poll(() => most(xs(page, "Reference"))).toBeCloseTo(0.78, 1);
+  expect(least(xs(page, "Reference"))).toBeCloseTo(0.3, 2);
 });
 
 test("the grip moves the whole shape", async ({ page }) => {
@@ -72,9 +71,8 @@ test("the grip moves the whole shape", async ({ page }) => {
     [0.55, 0.5],
     [0.6, 0.5],
   ]);
-  const points = await loop(page, "Reference");
-  expect(Math.max(...points.map(([x]) => x))).toBeCloseTo(0.8, 2);
-  expect(Math.min(...points.map(([x]) => x))).toBeCloseTo(0.4, 2);
+  await expect.poll(() => most(xs(page, "Reference"))).toBeCloseTo(0.8, 2);
+  expect(least(xs(page, "Reference"))).toBeCloseTo(0.4, 2);
 });
 
 test("a shape can be moved, turned, scaled and cleared with the keyboard", async ({ page }) => {
@@ -97,9 +95,8 @@ test("Fit centres and scales", async ({ page }) => {
   await clear(page);
   await stroke(page, "Reference", ellipse(0.06, 0.06, 0.2, 0.8));
   await button(page, "Fit").click();
-  const points = await loop(page, "Reference");
-  expect(Math.min(...points.map(([x]) => x))).toBeCloseTo(0.2, 2);
-  expect(Math.max(...points.map(([, y]) => y))).toBeCloseTo(0.8, 2);
+  await expect.poll(() => least(xs(page, "Reference"))).toBeCloseTo(0.2, 2);
+  expect(most(points(page, "Reference").map(([, y]) => y))).toBeCloseTo(0.8, 2);
 });
 
 test("a link and the browser's storage bring everything back", async ({ page, context }) => {
@@ -175,8 +172,7 @@ test.describe("touch", () => {
     await touch("touchStart", [first]);
     for (const point of rest) await touch("touchMove", [point]);
     await touch("touchEnd", []);
-    const before = await loop(page, "Reference");
-    expect(Math.max(...before.map(([x]) => x))).toBeCloseTo(0.7, 2);
+    await expect.poll(() => most(xs(page, "Reference"))).toBeCloseTo(0.7, 2);
 
     await touch("touchStart", [[0.1, 0.1]]);
     await touch("touchStart", [
@@ -189,17 +185,18 @@ test.describe("touch", () => {
     ]);
     await touch("touchEnd", []);
     // Half the distance between the fingers, half the size; their middle takes the shape along.
-    await expect.poll(async () => Math.max(...(await loop(page, "Reference")).map(([x]) => x))).toBeCloseTo(0.45, 2);
+    await expect.poll(() => most(xs(page, "Reference"))).toBeCloseTo(0.45, 2);
   });
 });
 
-/** The points of a shape's first loop, from the address: 16-bit little-endian from −0.5 to 1.5. */
-async function loop(page: Page, side: Side): Promise<[number, number][]> {
-  // The address follows an edit after a moment, or at once when the page is left.
-  await page.evaluate(() => dispatchEvent(new Event("pagehide")));
-  const bytes = Buffer.from((drawn(page, side) ?? "").split(".")[0], "base64url");
-  return Array.from({ length: bytes.length / 4 }, (_, i) => [
-    (2 * bytes.readUInt16LE(4 * i)) / 65535 - 0.5,
-    (2 * bytes.readUInt16LE(4 * i + 2)) / 65535 - 0.5,
-  ]);
+/** The points of a shape's first loop; the address follows an edit after a moment, so they are to be asked again. */
+function points(page: Page, side: Side): [number, number][] {
+  return loops(drawn(page, side))[0] ?? [];
+}
+
+const most = (numbers: readonly number[]) => Math.max(...numbers);
+const least = (numbers: readonly number[]) => Math.min(...numbers);
+
+function xs(page: Page, side: Side): number[] {
+  return points(page, side).map(([x]) => x);
 }

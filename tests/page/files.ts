@@ -2,7 +2,7 @@
 
 import { deflateSync } from "node:zlib";
 import { expect, type Page } from "@playwright/test";
-import { button, drawn, type Side } from "./handles";
+import { button, drawn, loops, type Side } from "./handles";
 
 export type File = { readonly name: string; readonly mimeType: string; readonly buffer: Buffer };
 
@@ -111,13 +111,7 @@ export async function take(page: Page, side: Side): Promise<Loop[]> {
   await expect(page.getByRole("dialog")).toHaveCount(0);
   // The address follows an edit after a moment.
   await expect.poll(() => drawn(page, side)).not.toBe(before);
-  return (drawn(page, side) ?? "").split(".").map((text) => {
-    const bytes = Buffer.from(text, "base64url");
-    return Array.from({ length: bytes.length / 4 }, (_, i) => [
-      (2 * bytes.readUInt16LE(4 * i)) / 65535 - 0.5,
-      (2 * bytes.readUInt16LE(4 * i + 2)) / 65535 - 0.5,
-    ]);
-  });
+  return loops(drawn(page, side));
 }
 
 /** Enclosed area, holes taken off, in squares of the longer side of the box around the shape. */

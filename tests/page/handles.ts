@@ -1,6 +1,7 @@
 /** The page as its users meet it: by role and name. */
 
 import { expect, type Locator, type Page } from "@playwright/test";
+import { unpack } from "../../www/link/pack";
 
 export type Side = "Reference" | "Template";
 
@@ -86,6 +87,15 @@ export function drawn(page: Page, side: Side): string | null {
   return new URLSearchParams(new URL(page.url()).hash.slice(1)).get(side.toLowerCase());
 }
 
+/** The points of loops as `drawn` reads them. */
+export function loops(text: string | null): [number, number][][] {
+  if (!text) return [];
+  return text.split(".").map((loop) => {
+    const numbers = unpack(loop);
+    return Array.from({ length: numbers.length / 2 }, (_, i) => [numbers[2 * i], numbers[2 * i + 1]]);
+  });
+}
+
 /** The line that opens the settings. */
 export function settings(page: Page): Locator {
   return page.locator("summary", { hasText: "Settings" });
@@ -98,11 +108,15 @@ export async function choose(page: Page, label: string, option: string): Promise
   await select.selectOption(option);
 }
 
+/** Playwright's own word where a test keeps the service worker away. */
+export const BLOCKED = "Service Worker registration blocked by Playwright";
+
 /** Collects what should not be there: console errors, uncaught errors, and requests from now on. */
 export function watch(page: Page): { errors: string[]; requests: string[] } {
   const seen = { errors: [] as string[], requests: [] as string[] };
   page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") seen.errors.push(message.text());
+    const text = message.text();
+    if ((message.type() === "error" || message.type() === "warning") && text !== BLOCKED) seen.errors.push(text);
   });
   page.on("pageerror", (error) => seen.errors.push(error.message));
   page.on("request", (request) => seen.requests.push(request.url()));

@@ -3,9 +3,21 @@
 import { readFileSync } from "node:fs";
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
+import { encode } from "../../www/link/text";
 import { PRESETS } from "../../www/shapes/presets";
-import { encode } from "../../www/state";
-import { button, choose, finished, picture, result, type Side, settings, surface, value, watch } from "./handles";
+import {
+  button,
+  choose,
+  finished,
+  loops,
+  picture,
+  result,
+  type Side,
+  settings,
+  surface,
+  value,
+  watch,
+} from "./handles";
 
 const STAR = PRESETS.find(({ id }) => id === "star") ?? PRESETS[0];
 
@@ -39,8 +51,7 @@ async function tie(page: Page, from: Spot, to: Spot): Promise<void> {
 /** The pins in the address: x y on the reference, x y on the template, pin by pin. */
 function pins(page: Page): number[] {
   const text = new URLSearchParams(new URL(page.url()).hash.slice(1)).get("pins") ?? "";
-  const bytes = Buffer.from(text, "base64url");
-  return Array.from({ length: bytes.length / 2 }, (_, i) => (bytes.readUInt16LE(2 * i) / 65535) * 2 - 0.5);
+  return loops(text).flat(2);
 }
 
 async function pinsAre(page: Page, ...expected: (readonly [...Spot, ...Spot])[]): Promise<void> {

@@ -1,6 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
+import { encode } from "../../www/link/text";
 import type { Shape } from "../../www/shapes/geometry";
-import { encode } from "../../www/state";
 import { button, finished, value } from "./handles";
 
 function circle(radius: number): Float64Array {

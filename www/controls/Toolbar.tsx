@@ -57,7 +57,7 @@ export function Toolbar({ session }: { session: Session }) {
 function CopyLink({ session }: { session: Session }) {
   const said = useSignal("Copy link");
   const copy = async () => {
-    const address = new URL(`#${session.link()}`, location.href).href;
+    const address = session.address();
     try {
       await navigator.clipboard.writeText(address);
       said.value = "Copied";
@@ -71,7 +71,7 @@ function CopyLink({ session }: { session: Session }) {
     }, 1600);
   };
   return (
-    <button type="button" title="A link that brings back shapes and settings" onClick={copy}>
+    <button type="button" title="A link that brings back everything: shapes, pins, settings, view" onClick={copy}>
       {said}
     </button>
   );
@@ -79,6 +79,7 @@ function CopyLink({ session }: { session: Session }) {
 
 export function Problem({ session }: { session: Session }) {
   const text = session.problem.value;
+  const notice = session.notice.value;
   const question = session.question.value;
   return (
     <div role="alert">
@@ -95,14 +96,26 @@ export function Problem({ session }: { session: Session }) {
           </button>
         </div>
       )}
-      {text && (
-        <div class="problem">
-          <p class="text">{text}</p>
-          <button type="button" class="quiet" onClick={() => session.dismiss()}>
-            Dismiss
-          </button>
-        </div>
+      {text && <Said text={text} dismiss={() => session.dismiss()} />}
+      {notice && (
+        <Said
+          text={notice}
+          dismiss={() => {
+            session.notice.value = null;
+          }}
+        />
       )}
+    </div>
+  );
+}
+
+function Said({ text, dismiss }: { text: string; dismiss: () => void }) {
+  return (
+    <div class="problem">
+      <p class="text">{text}</p>
+      <button type="button" class="quiet" onClick={dismiss}>
+        Dismiss
+      </button>
     </div>
   );
 }

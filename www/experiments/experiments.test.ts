@@ -2,7 +2,7 @@
 
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { decode } from "../state";
+import { decode } from "../link/text";
 import { initSync, Registration } from "../wasm/thinshell.js";
 import { crumple } from "./crumpling";
 import type { Context } from "./experiment";

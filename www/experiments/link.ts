@@ -1,7 +1,7 @@
 /** An experiment's pair as a link to the page. */
 
+import { encode } from "../link/text";
 import { type Chosen, FIELDS, withSetting } from "../settings";
-import { encode } from "../state";
 import type { Experiment, Shape } from "./experiment";
 
 /** Points a loop in a link: what the eye and a grid of 129² tell apart. */

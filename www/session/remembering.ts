@@ -14,14 +14,18 @@ export function rememberChanges(
 ): void {
   const delay = new Delay(REMEMBER_MILLIS);
   let written = last;
+  let waiting = false;
   const remember = () => {
+    waiting = false;
     if (text.peek() === written) return;
     written = text.peek();
     write(written);
   };
   effect(() => {
-    if (text.value === written) delay.stop();
-    else delay.start(remember);
+    // While something changes all the time, as a morph that plays, what has changed beside it is written too.
+    if (text.value === written || waiting) return;
+    waiting = true;
+    delay.start(remember);
   });
   // Leaving the page within that time loses nothing either.
   addEventListener("pagehide", remember);

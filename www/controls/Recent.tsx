@@ -1,0 +1,103 @@
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { decode, type Saved } from "../link/text";
+import type { Kept } from "../memory/sessions";
+import { changedFields, type Session } from "../session";
+import { bandwidth } from "../settings";
+import { PRESETS } from "../shapes/presets";
+import { theme } from "../view/palette";
+import { drawResult } from "../view/result";
+import { memory as say } from "../words/memory";
+import { adopt } from "./adopt";
+import style from "./earlier.css?inline";
+
+adopt(style);
+
+/** Side of a thumbnail in CSS pixels. */
+const SIDE = 96;
+
+/** The sessions that this browser keeps: each can be opened again, and deleted. */
+export function Recent({ session }: { session: Session }) {
+  const { memory } = session;
+  const list = useSignal(readable(memory.sessions.list()));
+  useEffect(() => {
+    const look = () => {
+      list.value = readable(memory.sessions.list());
+    };
+    look();
+    // Other tabs write too.
+    addEventListener("storage", look);
+    const stop = session.shapes.subscribe(look);
+    return () => {
+      removeEventListener("storage", look);
+      stop();
+    };
+  }, [memory]);
+  if (list.value.length === 0) return <p class="help">{say.none}</p>;
+  const remove = (kept: Kept) => {
+    memory.sessions.remove(kept.id);
+    list.value = readable(memory.sessions.list());
+  };
+  return (
+    <>
+      <p class="help">{say.help}</p>
+      <ul class="earlier" aria-label={say.title}>
+        {list.value.map(({ kept, saved }) => (
+          <Entry key={kept.id} session={session} kept={kept} saved={saved} remove={() => remove(kept)} />
+        ))}
+      </ul>
+    </>
+  );
+}
+
+type Readable = { readonly kept: Kept; readonly saved: Saved };
+
+/** Those that this version of the page can read. */
+function readable(list: readonly Kept[]): readonly Readable[] {
+  return list.flatMap((kept) => {
+    try {
+      return [{ kept, saved: decode(kept.text) }];
+    } catch {
+      return [];
+    }
+  });
+}
+
+function Entry({ session, kept, saved, remove }: Readable & { session: Session; remove: () => void }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const draw = () => {
+      const context = canvas.current?.getContext("2d");
+      if (!context) return;
+      const side = SIDE * devicePixelRatio;
+      context.canvas.width = side;
+      context.canvas.height = side;
+      const frame = { left: 0, bottom: 0, scale: side, width: side, height: side, ratio: devicePixelRatio / 2 };
+      drawResult(context, frame, theme(), { ...saved, match: null, bandwidth: bandwidth(saved.settings) });
+    };
+    draw();
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    scheme.addEventListener("change", draw);
+    return () => scheme.removeEventListener("change", draw);
+  }, [kept.text]);
+  const changed = changedFields(saved.settings).length;
+  const title = PRESETS.find(({ id }) => id === saved.preset)?.title ?? say.drawn;
+  const what = changed > 0 ? `${title}, ${say.settings(changed)}` : title;
+  const when = kept.at === 0 ? say.before : say.when(new Date(kept.at));
+  const own = kept.id === session.memory.own;
+  return (
+    <li>
+      <button type="button" aria-label={say.open(what, when)} onClick={() => session.openLink(`#${kept.text}`)}>
+        <canvas ref={canvas} />
+      </button>
+      <span class="what">
+        {what}
+        <br />
+        {own ? `${when} (${say.own})` : when}
+      </span>
+      <button type="button" class="quiet" aria-label={say.remove(what, when)} onClick={remove}>
+        {say.removeShort}
+      </button>
+    </li>
+  );
+}

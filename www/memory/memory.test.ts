@@ -1,0 +1,86 @@
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { fakeStorage } from "../testing/storage";
+import { Memory } from "./memory";
+import { Sessions } from "./sessions";
+import { Tab } from "./tab";
+
+let address = "";
+
+beforeEach(() => {
+  address = "https://example.org/";
+  vi.stubGlobal("history", {
+    replaceState: (_: unknown, __: string, to: string) => {
+      address = to;
+    },
+  });
+  vi.stubGlobal("location", { href: "https://example.org/" });
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+/** Locks as browsers have them: `release` ends all that a tab holds. */
+function fakeLocks() {
+  const held = new Set<string>();
+  const forTab = () => ({
+    request: async (name: string, _: unknown, work: (lock: Lock | null) => unknown) => {
+      if (held.has(name)) return work(null);
+      held.add(name);
+      work({ name, mode: "exclusive" });
+    },
+  });
+  return { forTab: forTab as unknown as () => LockManager, release: () => held.clear() };
+}
+
+test("two tabs have sessions of their own, and a third begins with the last of them", () => {
+  const local = fakeStorage();
+  const locks = fakeLocks();
+  const open = () => new Memory(new Sessions(() => local), new Tab(fakeStorage, locks.forTab()));
+  vi.setSystemTime(1);
+  const first = open();
+  first.keep("v=2&preset=star");
+  vi.setSystemTime(2);
+  const second = open();
+  expect(second.found).toBe("v=2&preset=star");
+  second.keep("v=2&preset=leaf");
+  vi.setSystemTime(3);
+  first.keep("v=2&preset=ring");
+  expect(first.sessions.list().map(({ text }) => text)).toEqual(["v=2&preset=ring", "v=2&preset=leaf"]);
+  expect(open().found).toBe("v=2&preset=ring");
+  vi.useRealTimers();
+});
+
+test("after a reload a tab goes on with its own session, not with the last of all", () => {
+  const local = fakeStorage();
+  const locks = fakeLocks();
+  const session = fakeStorage();
+  const before = new Memory(new Sessions(() => local), new Tab(() => session, locks.forTab()));
+  before.keep("v=2&preset=star");
+  new Memory(new Sessions(() => local), new Tab(fakeStorage, locks.forTab())).keep("v=2&preset=leaf");
+  locks.release();
+  const after = new Memory(new Sessions(() => local), new Tab(() => session, locks.forTab()));
+  expect([after.own, after.found]).toEqual([before.own, "v=2&preset=star"]);
+});
+
+test("a duplicated tab, which has the other's name, takes another before it writes", async () => {
+  const locks = fakeLocks();
+  const session = fakeStorage();
+  const original = new Tab(() => session, locks.forTab());
+  const copied = fakeStorage();
+  copied.setItem("thinshell:tab", original.id);
+  const duplicate = new Tab(() => copied, locks.forTab());
+  await Promise.resolve();
+  expect(duplicate.id).not.toBe(original.id);
+  expect(copied.getItem("thinshell:tab")).toBe(duplicate.id);
+});
+
+test("a storage that keeps nothing is told of once, and the address holds the text all the same", () => {
+  const memory = new Memory(new Sessions(() => fakeStorage(0)), { id: "a" });
+  let told = 0;
+  memory.onFailure = () => {
+    told += 1;
+  };
+  memory.remember("v=2&preset=star");
+  memory.remember("v=2&preset=leaf");
+  expect([told, address]).toEqual([1, "https://example.org/#v=2&preset=leaf"]);
+});

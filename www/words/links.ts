@@ -1,0 +1,29 @@
+/** What the page says of links that it cannot read. */
+
+/** Characters of what was given that a sentence repeats. */
+const LONGEST = 40;
+
+function brief(text: string): string {
+  return text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text;
+}
+
+export const links = {
+  unread: (why: string) =>
+    `The link could not be read: ${why}. Your last shapes are shown instead; ask for a fresh link to see the others.`,
+  kept: (why: string) => `The link could not be read: ${why}. Everything is left as it was.`,
+  override: (why: string) => `The address asks for what cannot be: ${why}. The rest of it is shown.`,
+  foreign: "it is no link of this page",
+  version: (version: string) => `version “${brief(version)}” is not known`,
+  noExample: (id: string) => `there is no example called “${brief(id)}”`,
+  missing: (what: string) => `the ${what} is missing`,
+  loop: (index: number, side: string) => `loop ${index} of the ${side}`,
+  pins: "the list of pins",
+  damaged: (what: string) => `${what} is damaged`,
+  cutOff: (what: string) => `${what} is cut off`,
+  tooLong: (what: string) => `${what} is too long`,
+  tooFew: (what: string) => `${what} has fewer than three points`,
+  manyPins: (most: number) => `there are more than ${most} pins`,
+  pinOutside: "a pin lies outside the box",
+  noView: (view: string) => `there is no view called “${brief(view)}”`,
+  noMorph: (text: string) => `the morph is “${brief(text)}”, but must be a number from 0 to 1`,
+};

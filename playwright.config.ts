@@ -17,6 +17,8 @@ export default defineConfig({
     baseURL: `http://localhost:${port}/`,
     viewport: { width: 1280, height: 800 },
     trace: "retain-on-failure",
+    // Every test has a profile of its own, in which the worker would fetch the whole page anew, beside the solver.
+    serviceWorkers: "block",
     launchOptions: { args: chromiumFlags(), ...(browser === null ? {} : { executablePath: browser }) },
   },
   webServer: {

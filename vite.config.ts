@@ -1,6 +1,7 @@
 import { defineConfig } from "vitest/config";
 import { countries } from "./scripts/lib/countries.mjs";
 import { licences } from "./scripts/lib/licences.mjs";
+import { offline, WORKER } from "./scripts/lib/offline.mjs";
 import { policyForDevelopment } from "./scripts/lib/policy.mjs";
 
 const { page, worker } = licences();
@@ -8,13 +9,17 @@ const { page, worker } = licences();
 export default defineConfig({
   // Relative addresses: the build works under any path of any static server.
   base: "./",
-  plugins: [countries(), page, policyForDevelopment()],
+  plugins: [countries(), page, policyForDevelopment(), offline()],
   build: {
     target: "es2022",
     sourcemap: false,
     // Where a browser does not preload, modules come a moment later; no part of the first load for that.
     modulePreload: { polyfill: false },
-    rolldownOptions: { input: ["index.html", "experiments.html"] },
+    rolldownOptions: {
+      input: { index: "index.html", experiments: "experiments.html", [WORKER]: "www/offline/worker.ts" },
+      // The service worker's name is part of its contract, and it has to lie beside the page.
+      output: { entryFileNames: ({ name }) => (name === WORKER ? WORKER : "assets/[name]-[hash].js") },
+    },
   },
   worker: { format: "es", plugins: () => [worker] },
   // Neither watch what cargo builds nor look for pages in it.

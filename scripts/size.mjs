@@ -4,6 +4,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join, posix } from "node:path";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+import { WORKER } from "./lib/offline.mjs";
 import { main, Obstacle, root } from "./lib/process.mjs";
 
 const BUDGET = 200_000;
@@ -12,21 +13,22 @@ const BUDGET = 200_000;
  * The files that loading index.html asks for, in the order they are found.
  *
  * A file counts when one that counts names it, in whatever way: a tag, a static import, a worker's or the module's URL,
- * a style sheet's url(). Only `import("…")`, the list from which Vite preloads for it, and links to follow may name a
- * file for later.
+ * a style sheet's url(). Only `import("…")`, the list from which Vite preloads for it, links to follow, what is for
+ * installing the page, and the service worker, which comes when the page is idle, may name a file for later.
  *
  * @param {Map<string, string>} texts each file of the build by its path, with its text ("" for binary ones)
  * @returns {string[]}
  */
 export function firstLoad(texts) {
   const asked = ["index.html"];
+  const others = [...texts.keys()].filter((path) => path !== WORKER);
   for (const path of asked) {
     const now = (texts.get(path) ?? "")
       .replace(/\bimport\(\s*[`"'][^`"']*[`"']\s*\)/g, "")
       .replace(/__vite__mapDeps[^;]*?\[[^\]]*\]/g, "")
-      .replace(/<a\s[^>]*>/g, "");
-    for (const other of texts.keys())
-      if (!asked.includes(other) && now.includes(posix.basename(other))) asked.push(other);
+      .replace(/<a\s[^>]*>/g, "")
+      .replace(/<link\s[^>]*rel="(manifest|apple-touch-icon)"[^>]*>/g, "");
+    for (const other of others) if (!asked.includes(other) && now.includes(posix.basename(other))) asked.push(other);
   }
   return asked;
 }

@@ -53,3 +53,16 @@ test("another page is not loaded with this one for being linked", () => {
   };
   expect(load(files)).toEqual(["index.html", "assets/index-a.js", "assets/index-b.css"]);
 });
+
+test("the service worker and what is for installing the page are for later, and so is all that they name", () => {
+  const files = {
+    "index.html": `${page}<link rel="manifest" href="./manifest.webmanifest" />`,
+    "assets/index-a.js": 'navigator.serviceWorker.register("./sw.js");import("./gallery-c.js")',
+    "assets/index-b.css": "",
+    "assets/gallery-c.js": "",
+    "manifest.webmanifest": '{"icons":[{"src":"icon-512.png"}]}',
+    "icon-512.png": "",
+    "sw.js": "index-a.js gallery-c.js icon-512.png",
+  };
+  expect(load(files)).toEqual(["index.html", "assets/index-a.js", "assets/index-b.css"]);
+});

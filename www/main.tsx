@@ -15,11 +15,13 @@ import { Stage } from "./controls/Stage";
 import { Caption, StatusPanel } from "./controls/StatusPanel";
 import { Terms } from "./controls/Terms";
 import { Problem, Toolbar } from "./controls/Toolbar";
+import { Update } from "./controls/Update";
 import { ViewPicker } from "./controls/ViewPicker";
 import { choose, view } from "./controls/viewing";
 import { moduleAt } from "./engine";
 import { open } from "./link/open";
 import { Memory } from "./memory/memory";
+import { keepOffline, whenIdle } from "./offline/updates";
 import { changedFields, Session } from "./session";
 import { fetchHands } from "./tools/tool";
 import "./style.css";
@@ -38,6 +40,7 @@ function App({ session }: { session: Session }) {
       <div class="actions">
         <Toolbar session={session} />
         <Problem session={session} />
+        <Update />
       </div>
       <section class="outcome" aria-labelledby="outcome-name">
         <div class="sight">
@@ -138,3 +141,5 @@ render(<App session={session} />, root);
 hands.catch((problem: Error) => {
   session.problem.value = problem.message;
 });
+// While developing, nothing is to come from yesterday.
+if (import.meta.env.PROD) whenIdle(() => void keepOffline());

@@ -1,10 +1,12 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
+import { BLOCKED } from "./handles";
 
 function watch(page: Page): { problems: string[]; requests: string[] } {
   const seen = { problems: [] as string[], requests: [] as string[] };
   page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") seen.problems.push(message.text());
+    if ((message.type() === "error" || message.type() === "warning") && message.text() !== BLOCKED)
+      seen.problems.push(message.text());
   });
   page.on("pageerror", (error) => seen.problems.push(String(error)));
   page.on("request", (request) => {

@@ -1,14 +1,8 @@
 import { expect, test } from "@playwright/test";
+import { watch } from "./handles";
 
 test("the page loads without an error and asks for nothing afterwards", async ({ page, baseURL }) => {
-  const problems: string[] = [];
-  const requests: string[] = [];
-  page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") problems.push(message.text());
-  });
-  page.on("pageerror", (error) => problems.push(String(error)));
-  page.on("request", (request) => requests.push(request.url()));
-
+  const { errors, requests } = watch(page);
   await page.goto("./");
   await page.waitForLoadState("networkidle");
   await expect(page.getByRole("button", { name: "Match" })).toBeVisible();
@@ -18,5 +12,5 @@ test("the page loads without an error and asks for nothing afterwards", async ({
   await page.mouse.move(200, 300);
   await page.waitForTimeout(1000);
   expect(requests.slice(loaded)).toEqual([]);
-  expect(problems).toEqual([]);
+  expect(errors).toEqual([]);
 });

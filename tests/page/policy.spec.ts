@@ -1,19 +1,9 @@
 /** The content security policy of the page: strict, and nothing that the page does is against it. */
 
-import { createReadStream, existsSync, statSync } from "node:fs";
-import { createServer } from "node:http";
-import { extname, join, normalize } from "node:path";
 import { expect, type Page, test } from "@playwright/test";
 import { choose, disc, drop, file, svgFile, take } from "./files";
 import { button, ellipse, finished, stroke, value, watch } from "./handles";
-
-const TYPES: Record<string, string> = {
-  ".html": "text/html; charset=utf-8",
-  ".js": "text/javascript",
-  ".css": "text/css",
-  ".wasm": "application/wasm",
-  ".svg": "image/svg+xml",
-};
+import { serving } from "./server";
 
 /** Notes what the policy has refused. */
 async function violations(page: Page): Promise<() => Promise<string[]>> {
@@ -108,23 +98,11 @@ for (const address of ["./", "./experiments.html"]) {
 }
 
 test("under a sub-path of a plain static server everything works, the licences too", async ({ page }) => {
-  const server = createServer((request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname));
-    const found = join("dist", path.replace(/^\/deep\/er/, "").replace(/\/$/, "/index.html"));
-    if (!path.startsWith("/deep/er/") || !existsSync(found) || !statSync(found).isFile()) {
-      response.writeHead(404).end();
-      return;
-    }
-    response.setHeader("Content-Type", TYPES[extname(found)] ?? "application/octet-stream");
-    createReadStream(found).pipe(response);
-  });
-  await new Promise<void>((resolve) => server.listen(0, resolve));
+  const server = await serving("dist", "/deep/er/");
   try {
-    const address = server.address();
-    if (address === null || typeof address === "string") throw new Error("a listening server has a port");
     const seen = watch(page);
     const refused = await violations(page);
-    await page.goto(`http://localhost:${address.port}/deep/er/#v=1&preset=ellipse&finest=5`);
+    await page.goto(`${server.address}#v=1&preset=ellipse&finest=5`);
     await button(page, "Match").click();
     await finished(page);
     expect(await value(page, "mismatch-max")).toBeLessThan(0.5);
@@ -143,7 +121,6 @@ test("under a sub-path of a plain static server everything works, the licences t
     await expect(button(page, "Match")).toBeVisible();
     expect(seen.errors).toEqual([]);
   } finally {
-    server.closeAllConnections();
     server.close();
   }
 });

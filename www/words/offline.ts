@@ -1,0 +1,7 @@
+/** What the page says of new versions of itself. */
+
+export const offline = {
+  region: "Version",
+  waiting: "A new version of this page is ready. It begins with your next visit, or now; what you have drawn stays.",
+  takeOver: "Use it now",
+};

@@ -1,11 +1,11 @@
 /** What is drawn is kept: over a reload, a killed tab, a second tab, and a storage that keeps nothing. */
 
 import { type BrowserContext, expect, type Page, test } from "@playwright/test";
-import { button, clear, drawn, ellipse, stroke, watch } from "./handles";
+import { button, drawn, ellipse, stroke, watch } from "./handles";
 
 /** Draws a reference that nobody else has, and returns it as the address has it. */
 async function draw(page: Page, width: number): Promise<string> {
-  await clear(page);
+  await button(page, "Clear reference").click();
   await stroke(page, "Reference", ellipse(width, 0.15));
   await expect.poll(() => drawn(page, "Reference")).toBeTruthy();
   return drawn(page, "Reference") ?? "";

@@ -78,7 +78,13 @@ test.describe("on a phone", () => {
 test("nothing scrolls sideways at any width, with everything open", async ({ page }) => {
   await page.goto("./#v=1&preset=ellipse&finest=5");
   await finished(page);
-  for (const title of ["Settings", "Energies over iterations", "Runs so far", "Compare side by side"]) {
+  for (const title of [
+    "Settings",
+    "Energies over iterations",
+    "Runs so far",
+    "Compare side by side",
+    "Recent sessions",
+  ]) {
     await page.locator("summary", { hasText: title }).click();
   }
   await page.getByText("For those who know the paper").click();

@@ -62,7 +62,7 @@ test("an anchor of the page leads to its place and leaves the shapes alone", asy
 test(`${MUTATIONS} mutated links: no error, no injection, the shapes kept, and undo brings everything back`, async ({
   page,
 }) => {
-  test.slow();
+  test.setTimeout(400_000);
   const seen = watch(page);
   await page.goto("./#v=2&preset=ellipse&finest=5&match=later");
   await clear(page);

@@ -6,12 +6,12 @@ export function Update() {
   return (
     <div role="status" class="update" aria-label={say.region}>
       {waiting.value && (
-        <p>
-          {say.waiting}{" "}
+        <div class="news">
+          <p class="text">{say.waiting}</p>
           <button type="button" onClick={() => takeOver()}>
             {say.takeOver}
           </button>
-        </p>
+        </div>
       )}
     </div>
   );

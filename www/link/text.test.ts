@@ -180,7 +180,7 @@ describe("what damage and other hands make of a link", () => {
     }
     expect(outcomes.refused).toBeGreaterThan(3000);
     expect(outcomes.read).toBeGreaterThan(50);
-  });
+  }, 60_000);
 });
 
 describe("settings", () => {

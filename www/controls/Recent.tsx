@@ -24,10 +24,9 @@ export function Recent({ session }: { session: Session }) {
     const look = () => {
       list.value = readable(memory.sessions.list());
     };
-    look();
     // Other tabs write too.
     addEventListener("storage", look);
-    const stop = session.shapes.subscribe(look);
+    const stop = memory.writes.subscribe(look);
     return () => {
       removeEventListener("storage", look);
       stop();

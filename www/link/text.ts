@@ -8,7 +8,7 @@
  */
 
 import { type Chosen, FIELDS, parseSetting, withSetting } from "../settings";
-import type { Shape } from "../shapes/geometry";
+import type { Loop, Shape } from "../shapes/geometry";
 import { flat, isInBox, MOST_PINS, type Pin, pinsFrom, type Shapes } from "../shapes/pins";
 import { PRESETS } from "../shapes/presets";
 import { VIEWS, type View } from "../view/names";
@@ -33,6 +33,15 @@ const READERS: Readonly<Record<string, (text: string) => Float64Array>> = { "1":
 /** Parts of the morph that a link tells apart. */
 const MORPH_STEPS = 1000;
 
+/** Of loops that are in use; they never change. A morph that plays is written many times over the same two. */
+const packed = new WeakMap<Loop, string>();
+
+function packedOnce(loop: Loop): string {
+  const text = packed.get(loop) ?? pack(loop);
+  packed.set(loop, text);
+  return text;
+}
+
 /** Whoever has no look of its own leaves it to the page's. */
 type Written = Omit<Saved, "view" | "morph"> & Partial<Saved>;
 
@@ -41,8 +50,8 @@ export function encode(saved: Written): string {
   const query = new URLSearchParams({ v: VERSION });
   if (preset) query.set("preset", preset);
   else {
-    query.set("reference", reference.map(pack).join("."));
-    query.set("template", template.map(pack).join("."));
+    query.set("reference", reference.map(packedOnce).join("."));
+    query.set("template", template.map(packedOnce).join("."));
   }
   if (pins.length > 0) query.set("pins", pack(flat(pins)));
   for (const field of FIELDS) {

@@ -83,4 +83,5 @@ test("a storage that keeps nothing is told of once, and the address holds the te
   memory.remember("v=2&preset=star");
   memory.remember("v=2&preset=leaf");
   expect([told, address]).toEqual([1, "https://example.org/#v=2&preset=leaf"]);
+  expect(memory.writes.value).toBe(2);
 });

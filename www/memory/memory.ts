@@ -1,5 +1,6 @@
 /** What this tab is at, kept in its address and in the browser's storage. */
 
+import { signal } from "@preact/signals";
 import { addressOf } from "../link/open";
 import { Sessions } from "./sessions";
 import { Tab } from "./tab";
@@ -9,6 +10,8 @@ export class Memory {
   private readonly tab: Pick<Tab, "id">;
   /** What was there when the page was opened: this tab's own session, else the last of all. A link's text. */
   readonly found: string | null;
+  /** How often something has been kept: whoever lists the sessions looks again. */
+  readonly writes = signal(0);
   private failed = false;
   /** Told once, when the storage keeps nothing. */
   onFailure: () => void = () => {};
@@ -26,6 +29,7 @@ export class Memory {
   /** At once: the tab may be gone in the next moment. */
   keep(text: string): void {
     const kept = this.sessions.write({ id: this.tab.id, at: Date.now(), text });
+    this.writes.value = this.writes.peek() + 1;
     if (kept || this.failed) return;
     this.failed = true;
     this.onFailure();

@@ -2,7 +2,8 @@
  * Sessions as the browser keeps them, each under a key of its own so that two tabs never write the same one.
  *
  * In `localStorage`, since it is written before the call returns: what is there survives a tab that is killed in the next
- * moment. A session is a link's text, at most some two thousand letters.
+ * moment. A session is a link's text, some two thousand letters at most: 0.1 ms in Chromium, where IndexedDB takes from 1
+ * to 14 until it is kept.
  */
 
 export type Kept = {

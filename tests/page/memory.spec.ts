@@ -1,5 +1,6 @@
 /** What is drawn is kept: over a reload, a killed tab, a second tab, and a storage that keeps nothing. */
 
+import { AxeBuilder } from "@axe-core/playwright";
 import { type BrowserContext, expect, type Page, test } from "@playwright/test";
 import { button, drawn, ellipse, stroke, watch } from "./handles";
 
@@ -55,6 +56,8 @@ test("two tabs keep a session each: neither overwrites the other's, and both can
   await recent(page).click();
   const list = page.getByRole("list", { name: "Recent sessions" });
   await expect(list.getByRole("listitem")).toHaveCount(2);
+  const { violations } = await new AxeBuilder({ page }).include("details.recent").analyze();
+  expect(violations).toEqual([]);
   await list
     .getByRole("button", { name: /^Open: Drawn shapes/ })
     .last()

@@ -1,6 +1,7 @@
 /** Wires shapes, solver and views into the page; the only file that knows all. */
 
 import { render } from "preact";
+import { EnlargedBar } from "./controls/Enlarge";
 import { ForcesSwitch } from "./controls/ForcesSwitch";
 import { Guess } from "./controls/Guess";
 import { Import } from "./controls/Import";
@@ -36,6 +37,7 @@ function App({ session }: { session: Session }) {
         <SketchTools session={session} />
         <SketchPanel session={session} side="reference" />
         <SketchPanel session={session} side="template" />
+        <EnlargedBar session={session} />
       </div>
       <div class="actions">
         <Toolbar session={session} />
@@ -61,36 +63,36 @@ function App({ session }: { session: Session }) {
           <ForcesSwitch session={session} />
           <Guess session={session} />
         </div>
-        <Caption />
+        <Caption session={session} />
+      </section>
+      <div class="choices">
+        <Presets session={session} />
+        <Settings session={session} />
         <Later
           session={session}
           name="energies"
           title="Energies over iterations"
           load={async () => (await import("./controls/EnergyPlot")).EnergyPlot}
         />
-      </section>
-      <div class="choices">
-        <Presets session={session} />
-        <Settings session={session} />
+        <Later
+          session={session}
+          name="runs"
+          title="Runs so far"
+          load={async () => (await import("./controls/Earlier")).Earlier}
+        />
+        <Later
+          session={session}
+          name="compare"
+          title="Compare side by side"
+          load={async () => (await import("./controls/Compare")).Compare}
+        />
+        <Later
+          session={session}
+          name="recent"
+          title={memoryWords.title}
+          load={async () => (await import("./controls/Recent")).Recent}
+        />
       </div>
-      <Later
-        session={session}
-        name="runs"
-        title="Runs so far"
-        load={async () => (await import("./controls/Earlier")).Earlier}
-      />
-      <Later
-        session={session}
-        name="compare"
-        title="Compare side by side"
-        load={async () => (await import("./controls/Compare")).Compare}
-      />
-      <Later
-        session={session}
-        name="recent"
-        title={memoryWords.title}
-        load={async () => (await import("./controls/Recent")).Recent}
-      />
       <Import session={session} />
     </>
   );
@@ -138,8 +140,11 @@ shortcuts(session);
 addEventListener("hashchange", () => session.openLink(location.hash));
 root.replaceChildren();
 render(<App session={session} />, root);
-hands.catch((problem: Error) => {
-  session.problem.value = problem.message;
-});
+hands.then(
+  ({ announceChanges }) => announceChanges(session),
+  (problem: Error) => {
+    session.problem.value = problem.message;
+  },
+);
 // While developing, nothing is to come from yesterday.
 if (import.meta.env.PROD) whenIdle(() => void keepOffline());

@@ -5,6 +5,7 @@ import type { Session, Side } from "../session";
 import type { Outcome } from "../shapes/import/content";
 import type { FoundShapes } from "../shapes/import/found";
 import { type Read, Reader } from "../shapes/import/reader";
+import { later } from "../words/later";
 import { adopt } from "./adopt";
 import { Gallery } from "./Gallery";
 import { ImportOptions, ImportPreview } from "./ImportPreview";
@@ -30,7 +31,8 @@ export function ImportDialog({ session }: { session: Session }) {
   const problem = useSignal<string | null>(null);
   /** The part of a reading that is done; 0 as well where nobody knows. Null while nothing is read. */
   const reading = useSignal<number | null>(null);
-  const browsing = useSignal(false);
+  const isGallery = useMemo(() => importing.peek()?.gallery === true, []);
+  const browsing = useSignal(isGallery);
   const reader = useMemo(
     () =>
       new Reader((done) => {
@@ -128,7 +130,7 @@ export function ImportDialog({ session }: { session: Session }) {
       }}
     >
       <header>
-        <h2 id="import-name">Import a {side}</h2>
+        <h2 id="import-name">{isGallery ? later.gallery.title : later.gallery.importing(side)}</h2>
         <button type="button" class="quiet" onClick={close}>
           Close
         </button>

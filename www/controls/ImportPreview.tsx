@@ -3,6 +3,7 @@ import { useEffect, useId, useRef } from "preact/hooks";
 import type { Side } from "../session";
 import type { Outcome } from "../shapes/import/content";
 import { pixelX, pixelY, Surface, trace } from "../view/canvas";
+import { BOX } from "../view/framing";
 import { type Draft, withChoice } from "./importDraft";
 
 type PreviewProps = { readonly draft: Draft; readonly result: Outcome; readonly side: Side };
@@ -15,34 +16,38 @@ export function ImportPreview({ draft, result, side }: PreviewProps) {
 
   useEffect(() => {
     if (!canvas.current) return;
-    const surface = new Surface(canvas.current, 0, (context, frame, colours) => {
-      const { draft, result, side } = shown.value;
-      if (!result.prepared) return;
-      const { shape, box } = result.prepared;
-      if (draft.preview) {
-        // Pixel centres lie at whole numbers from 1 on, y up: so does the outline that was traced.
-        const left = 0.5 * box.a + box.x;
-        const top = (draft.preview.height + 0.5) * box.a + box.y;
-        context.globalAlpha = 0.35;
-        context.drawImage(
-          draft.preview,
-          pixelX(frame, left),
-          pixelY(frame, top),
-          draft.preview.width * box.a * frame.scale,
-          draft.preview.height * box.a * frame.scale,
-        );
-      }
-      context.beginPath();
-      for (const loop of shape) trace(context, frame, loop, true);
-      context.fillStyle = colours[side];
-      context.globalAlpha = 0.16;
-      context.fill("nonzero");
-      context.globalAlpha = 1;
-      context.strokeStyle = colours[side];
-      context.lineWidth = 2 * frame.ratio;
-      context.lineJoin = "round";
-      context.stroke();
-    });
+    const surface = new Surface(
+      canvas.current,
+      () => BOX,
+      (context, frame, colours) => {
+        const { draft, result, side } = shown.value;
+        if (!result.prepared) return;
+        const { shape, box } = result.prepared;
+        if (draft.preview) {
+          // Pixel centres lie at whole numbers from 1 on, y up: so does the outline that was traced.
+          const left = 0.5 * box.a + box.x;
+          const top = (draft.preview.height + 0.5) * box.a + box.y;
+          context.globalAlpha = 0.35;
+          context.drawImage(
+            draft.preview,
+            pixelX(frame, left),
+            pixelY(frame, top),
+            draft.preview.width * box.a * frame.scale,
+            draft.preview.height * box.a * frame.scale,
+          );
+        }
+        context.beginPath();
+        for (const loop of shape) trace(context, frame, loop, true);
+        context.fillStyle = colours[side];
+        context.globalAlpha = 0.16;
+        context.fill("nonzero");
+        context.globalAlpha = 1;
+        context.strokeStyle = colours[side];
+        context.lineWidth = 2 * frame.ratio;
+        context.lineJoin = "round";
+        context.stroke();
+      },
+    );
     const stop = effect(() => {
       shown.value;
       surface.invalidate();

@@ -1,13 +1,12 @@
 import { effect, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { Surface } from "../view/canvas";
+import { framing, type Square } from "../view/framing";
 import { movedAt, movedLoops, wayOf } from "../view/morph";
 import { drawMark, localNumbers, probeAt, stepped } from "../view/probe";
 import type { ResultScene } from "../view/result";
 import { arrows, draw, guess, lazy, picture, probe, view } from "./viewing";
 
-/** φ leaves the box a little under the natural boundary condition; this much around it is shown. */
-const MARGIN = 0.05;
 /** Of a pointer to the curves, in CSS pixels. */
 const REACH = 24;
 
@@ -26,7 +25,14 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
 
   useEffect(() => {
     if (!canvas.current) return;
-    const made = new Surface(canvas.current, MARGIN, (context, frame, colours) => {
+    let square: Square | null = null;
+    const seen = () => {
+      const { reference, template, pins } = scene.peek();
+      const ends = Float64Array.from(pins.flatMap(({ reference: p, template: q }) => [p.x, p.y, q.x, q.y]));
+      square = framing([...reference, ...template, ends], square);
+      return square;
+    };
+    const made = new Surface(canvas.current, seen, (context, frame, colours) => {
       const now = scene.peek();
       const { match } = now;
       draw(context, frame, colours, now, limit.peek());

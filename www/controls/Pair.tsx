@@ -3,6 +3,7 @@ import { choiceWords } from "../runs";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
 import type { ResultScene } from "../view/result";
+import { missedBy } from "../view/unreached";
 import { later } from "../words/later";
 import { decimals } from "../words/numbers";
 import { adopt } from "./adopt";
@@ -53,6 +54,7 @@ function Panel({ session, outcomes, names, index }: PairProperties & { readonly 
       match: match.value,
       morph: session.morph.value,
       bandwidth: bandwidth(outcome?.settings ?? {}),
+      missed: missedBy(outcome?.frame ?? null),
     };
   });
   // One scale for both, or their colours could not be compared.

@@ -1,6 +1,8 @@
 import type { Session } from "../session";
 import type { Shape } from "../shapes/geometry";
 import { PRESETS } from "../shapes/presets";
+import { en } from "../words/en";
+import { importing } from "./importing";
 import { reveal } from "./Stage";
 
 /** Examples that start with one click. */
@@ -8,9 +10,19 @@ export function Presets({ session }: { session: Session }) {
   const chosen = session.preset.value;
   return (
     <section class="presets" aria-labelledby="presets-name">
-      <h2 id="presets-name" class="lead">
-        Or start from an example
-      </h2>
+      <header>
+        <h2 id="presets-name">{en.examples.title}</h2>
+        <button
+          type="button"
+          class="quiet"
+          title={en.examples.galleryHelp}
+          onClick={() => {
+            importing.value = { side: "reference", input: null, gallery: true };
+          }}
+        >
+          {en.examples.gallery}
+        </button>
+      </header>
       <ul>
         {PRESETS.map((preset) => (
           <li key={preset.id}>

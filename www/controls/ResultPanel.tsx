@@ -1,10 +1,9 @@
 import { useComputed } from "@preact/signals";
 import { useCallback } from "preact/hooks";
-import type { FrameReply } from "../protocol";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
 import type { ResultScene } from "../view/result";
-import { unreached } from "../view/unreached";
+import { missedBy } from "../view/unreached";
 import { en } from "../words/en";
 import { resultState, staleness } from "../words/said";
 import { MatchCanvas } from "./MatchCanvas";
@@ -53,12 +52,6 @@ export function ResultPanel({ session }: { session: Session }) {
       <Readout match={match} />
     </div>
   );
-}
-
-/** Looked for only where the solver says that there is something. */
-function missedBy(frame: FrameReply | null): readonly Float64Array[] {
-  if (!frame?.status.finished || !(frame.status.cover.max > 1)) return [];
-  return unreached(frame.curves.template, frame.curves.matched, frame.status.level);
 }
 
 function matchOf(session: Session) {

@@ -11,9 +11,11 @@ import { hands, tool } from "../tools/tool";
 import { nearest } from "../view/along";
 import { Surface } from "../view/canvas";
 import { arcLengthParts } from "../view/curve";
+import { BOX } from "../view/framing";
 import { probeAt } from "../view/probe";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
+import { Enlarge } from "./Enlarge";
 import { ImportButton } from "./Import";
 import { guess, probe } from "./viewing";
 
@@ -33,21 +35,25 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
 
   useEffect(() => {
     if (!canvas.current) return;
-    const surface = new Surface(canvas.current, 0, (context, frame, colours) => {
-      drawSketch(context, frame, colours, {
-        side,
-        shape: session.shapes.value[side],
-        coloured: colouredLoops(session, side),
-        tooClose: tooClose(session, side),
-        mark: markOf(session, side),
-      });
-      const chosen = chosenLoop(session, side);
-      if (chosen) further.peek()?.drawChosen(context, frame, colours, side, chosen);
-      kit.peek()?.drawPins(context, frame, colours, session.shapes.value, side);
-      const question = session.question.value;
-      if (question?.side === side) hands.peek()?.drawFaulty(context, frame, colours, question.loop);
-      hand.current?.tool.paint(context, frame, colours);
-    });
+    const surface = new Surface(
+      canvas.current,
+      () => BOX,
+      (context, frame, colours) => {
+        drawSketch(context, frame, colours, {
+          side,
+          shape: session.shapes.value[side],
+          coloured: colouredLoops(session, side),
+          tooClose: tooClose(session, side),
+          mark: markOf(session, side),
+        });
+        const chosen = chosenLoop(session, side);
+        if (chosen) further.peek()?.drawChosen(context, frame, colours, side, chosen);
+        kit.peek()?.drawPins(context, frame, colours, session.shapes.value, side);
+        const question = session.question.value;
+        if (question?.side === side) hands.peek()?.drawFaulty(context, frame, colours, question.loop);
+        hand.current?.tool.paint(context, frame, colours);
+      },
+    );
     ground.current = surface;
     const stopHand = effect(() => {
       const [wanted, fetched] = [tool.value, hands.value];
@@ -134,6 +140,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
           }}
         />
         {empty && <p class="invitation">Draw a closed curve here</p>}
+        <Enlarge session={session} side={side} />
       </div>
     </section>
   );

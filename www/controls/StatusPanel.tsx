@@ -48,10 +48,15 @@ export function StatusPanel({ session }: { session: Session }) {
 }
 
 /** What the colours, lines and ticks of the chosen view mean. */
-export function Caption() {
+export function Caption({ session }: { session: Session }) {
+  const status = session.result.value?.frame.status;
+  const isMissed = status?.finished && status.cover.max > 1;
+  // The grid's caption says it always; what is pulled back lies on the reference.
+  const says = isMissed && view.value !== "grid" && view.value !== "pullback";
   return (
     <p id="view-caption" class="caption">
       {lazy.value?.captions[view.value] ?? en.gridCaption}
+      {says && en.dashed}
     </p>
   );
 }

@@ -1,5 +1,6 @@
 /** Puts a tool into the hand that works on a surface. */
 
+import { effect } from "@preact/signals";
 import { kit as pins } from "../pins/kit";
 import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
@@ -13,7 +14,9 @@ import { type Ground, Hand, type Tool } from "../tools/hand";
 import { curve, fetchKit, kit } from "../tools/kit";
 import { said, type ToolName } from "../tools/tool";
 import type { Surface } from "../view/canvas";
-import { drawnWords, faultWords, WAYS } from "../words/strokes";
+import { changeWords, faultWords, WAYS } from "../words/strokes";
+
+const SIDES: readonly Side[] = ["reference", "template"];
 
 export { drawFaulty } from "../view/pen";
 
@@ -61,6 +64,18 @@ function toolOf(name: ToolName, session: Session, ground: Ground & { restore(): 
   );
 }
 
+/** Says what has become of the shapes, by whatever hand; a tool that knows better says it after that. */
+export function announceChanges(session: Session): void {
+  let last = session.present;
+  effect(() => {
+    const [before, after] = [last, session.present];
+    last = after;
+    const changed = SIDES.filter((side) => before[side] !== after[side]);
+    if (changed.length === 0) return;
+    said.value = changed.map((side) => changeWords(side, before[side].length, after[side].length)).join(" ");
+  });
+}
+
 /** Takes a curve for one more of the shape, or asks what is to become of it. */
 function draw(session: Session, side: Side, judgement: Judgement): void {
   if (judgement.kind === "tap") return;
@@ -78,7 +93,6 @@ function take(session: Session, side: Side, loop: Loop): void {
   const before = session.isExample(side) ? [] : session.shapes.value[side];
   session.commitShape(side, withLoop(before, loop));
   choose(session, side, before.length);
-  said.value = drawnWords(side, before.length + 1);
 }
 
 /** What is done to one curve comes on demand. */

@@ -7,7 +7,7 @@ import type { View } from "../view/names";
 import type { Theme } from "../view/palette";
 import type { Probe } from "../view/probe";
 import type { Picture } from "../view/raster";
-import { drawResult, type Match, type ResultScene } from "../view/result";
+import { drawMissed, drawResult, type Match, type ResultScene } from "../view/result";
 import { fetched } from "./fetched";
 
 export const view = signal<View>("grid");
@@ -75,7 +75,11 @@ export function draw(
   const { match, morph, bandwidth, pins } = scene;
   const [painter, image] = [lazy.peek(), picture.peek()];
   if (view.peek() === "grid" || !match || !painter || !image) drawResult(context, frame, colours, scene);
-  else painter.views.drawView(view.peek(), context, frame, colours, { match, morph, bandwidth, limit, picture: image });
+  else {
+    painter.views.drawView(view.peek(), context, frame, colours, { match, morph, bandwidth, limit, picture: image });
+    // What is pulled back lies on the reference.
+    if (view.peek() !== "pullback") drawMissed(context, frame, colours, scene.missed ?? []);
+  }
   // What comes over it leaves no trace in the next picture.
   context.save();
   const over = arrows.peek();

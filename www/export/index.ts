@@ -38,8 +38,9 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
   const { view, limit, picture, morph } = look;
   const colours = theme();
   const legend = () => {
-    const { match, bandwidth } = at(morph);
-    return legendOf(view, match && markedScale(view, match, bandwidth, limit, colours.dark), colours);
+    const { match, bandwidth, missed } = at(morph);
+    const scale = match && markedScale(view, match, bandwidth, limit, colours.dark);
+    return legendOf(view, scale, colours, view !== "pullback" && missed !== undefined && missed.length > 0);
   };
   const at: SceneAt = (part) => sceneAt(saving, part);
   const named = (blob: Blob, extension: string): Saved => ({ blob, name: fileName(saving, extension) });
@@ -52,7 +53,12 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
       const words = look.legend ? legendSvg(legend(), colours) : "";
       const drawing =
         match && picture && view !== "grid"
-          ? await svgOf(view, { match, morph, bandwidth: scene.bandwidth, limit, picture }, colours, words)
+          ? await svgOf(
+              view,
+              { match, morph, bandwidth: scene.bandwidth, limit, picture, missed: scene.missed ?? [] },
+              colours,
+              words,
+            )
           : svg({ match, ...scene }, colours, words);
       return text(drawing, "image/svg+xml");
     }

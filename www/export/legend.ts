@@ -17,16 +17,17 @@ type Entry = { readonly colours: readonly string[]; readonly width: number; read
 
 export type Legend = { readonly scale: Scale | null; readonly entries: readonly Entry[] };
 
-export function legendOf(view: View, scale: Scale | null, colours: Theme): Legend {
-  const { template, reference, matched } = later.legend;
-  const target: Entry = { colours: [colours.template], width: 6, text: template };
-  if (view !== "grid") return { scale, entries: [target] };
+export function legendOf(view: View, scale: Scale | null, colours: Theme, isMissed = false): Legend {
+  const { template, reference, matched, missed } = later.legend;
+  const target: Entry[] = [{ colours: [colours.template], width: 6, text: template }];
+  if (isMissed) target.push({ colours: [colours.warning], width: 4, text: missed });
+  if (view !== "grid") return { scale, entries: target };
   return {
     scale: null,
     entries: [
       { colours: colours.cycle, width: 3, text: reference },
       { colours: colours.cycle, width: 7, text: matched },
-      target,
+      ...target,
     ],
   };
 }

@@ -4,7 +4,7 @@ import type { Curves, Status } from "../protocol";
 import type { Chosen } from "../settings";
 import type { Shapes } from "../shapes/pins";
 import type { Match, ResultScene } from "../view/result";
-import { unreached } from "../view/unreached";
+import { missedBy } from "../view/unreached";
 
 export type Saving = Shapes & {
   readonly settings: Chosen;
@@ -19,12 +19,7 @@ export function sceneAt({ reference, template, pins, bandwidth, match }: Saving,
     deformation: match.deformation,
     curves: match.curves,
   };
-  const { status } = match ?? {};
-  const missed =
-    shown && status?.finished && status.cover.max > 1
-      ? unreached(shown.curves.template, shown.curves.matched, shown.level)
-      : [];
-  return { reference, template, pins, match: shown, morph, bandwidth, missed };
+  return { reference, template, pins, match: shown, morph, bandwidth, missed: missedBy(match) };
 }
 
 /** Says what is in the file, and on which grid. */

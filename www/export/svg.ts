@@ -34,11 +34,7 @@ export function svg(scene: ResultScene, colours: Theme, legend = ""): string {
     `<path data-side="template" d="${closedPath(scene.template)}" fill="${colours.template}" fill-opacity="0.14" stroke="${colours.template}" stroke-opacity="0.4" stroke-width="${match ? 12 : 4}" stroke-linejoin="round"/>`,
     `<path id="grid" d="${gridPath(scene)}" ${inked(colours.grid, 1.8)}/>`,
     `<path data-side="reference" d="${closedPath(scene.reference)}" ${inked(colours.reference, band, ' stroke-opacity="0.09"')}/>`,
-    ...(scene.missed?.length
-      ? [
-          `<path id="missed" d="${scene.missed.map((line) => openPath(line)).join("")}" ${inked(colours.warning, 5, ' stroke-dasharray="12 8"')}/>`,
-        ]
-      : []),
+    missedPath(scene.missed ?? [], colours),
     match ? `<g id="partners" stroke-opacity="0.75">${ticks(reference, moved, parts, colours)}</g>` : "",
     `<g id="arc-length" stroke-linecap="round" stroke-linejoin="round">`,
     ...reference.map((loop, l) => coloured(loop, parts[l], colours, match ? 3 : 5)),
@@ -68,6 +64,13 @@ export function closedPath(shape: Shape): string {
       (loop) => `M${Array.from({ length: loop.length / 2 }, (_, i) => place(loop[2 * i], loop[2 * i + 1])).join("L")}Z`,
     )
     .join("");
+}
+
+/** Dashed, as on the screen; nothing where nothing is missed. */
+export function missedPath(missed: Shape, colours: Theme): string {
+  if (missed.length === 0) return "";
+  const path = missed.map(openPath).join("");
+  return `<path id="missed" d="${path}" fill="none" stroke="${colours.warning}" stroke-width="5" stroke-linejoin="round" stroke-dasharray="12 8"/>`;
 }
 
 function openPath(line: Loop): string {

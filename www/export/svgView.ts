@@ -7,12 +7,17 @@ import type { Theme } from "../view/palette";
 import { css, place as placed } from "../view/scales";
 import { alongOf, isAlong, pixelsOf, scaleOf, type ViewScene } from "../view/views";
 import { en } from "../words/en";
-import { closedPath, MARGIN, place, UNITS } from "./svg";
+import { closedPath, MARGIN, missedPath, place, UNITS } from "./svg";
 
 /** Pixels a side of what is made of pixels. */
 const PIXELS = 1100;
 
-export async function svgOf(view: View, scene: ViewScene, colours: Theme, legend: string): Promise<string> {
+export async function svgOf(
+  view: View,
+  scene: ViewScene & { readonly missed: Shape },
+  colours: Theme,
+  legend: string,
+): Promise<string> {
   const { reference, template, matched } = scene.match.curves;
   const moved = movedLoops(scene.match, scene.morph);
   const side = UNITS + 2 * MARGIN;
@@ -30,6 +35,7 @@ export async function svgOf(view: View, scene: ViewScene, colours: Theme, legend
     `<title>${en.views[view]}</title>`,
     `<rect x="${-MARGIN}" y="${-MARGIN}" width="${side}" height="${side}" fill="${colours.paper}"/>`,
     ...drawn,
+    view === "pullback" ? "" : missedPath(scene.missed, colours),
     // By these the import finds the shapes again, as in the drawing of the grid.
     ...Object.entries({ reference, template, matched }).map(
       ([name, loops]) => `<path data-side="${name}" d="${closedPath(loops)}" fill="none" stroke="none"/>`,

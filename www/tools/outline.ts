@@ -136,7 +136,7 @@ export class Outline {
     this.cursor = next;
     if (this.carried) this.move(this.carried.index, next);
     const index = this.carried ? null : this.pointAt(next, TARGET.mouse);
-    this.chosen = index;
+    if (!this.carried) this.chosen = index;
     said.value = told.walk(next, index, this.points.length, index !== null && this.closes(index));
   }
 
@@ -176,7 +176,7 @@ export class Outline {
     const index = ((this.chosen ?? (by > 0 ? -1 : 0)) + by + length) % length;
     this.chosen = index;
     this.cursor = this.points[index];
-    said.value = told.chosen(index, length, this.points[index]);
+    said.value = told.chosen(index, length, this.points[index], this.closes(index));
   }
 
   private remove(index: number): void {

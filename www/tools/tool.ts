@@ -13,8 +13,9 @@ export const tool = signal<ToolName>("draw");
 export const hands = signal<typeof import("../controls/hand") | null>(null);
 
 /** Throws a sentence when they cannot be had. */
-export async function fetchHands(): Promise<void> {
+export async function fetchHands(): Promise<typeof import("../controls/hand")> {
   hands.value ??= await fetched("What is needed to draw", () => import("../controls/hand"));
+  return hands.value;
 }
 
 /** What has just been done, for those who hear the page. */

@@ -1,5 +1,6 @@
 /** A canvas that shows a square of the plane: device pixels, one redraw a frame, redrawn when size or colours change. */
 
+import type { Square } from "./framing";
 import { type Theme, theme } from "./palette";
 
 /** Domain units to device pixels, y up. */
@@ -21,19 +22,19 @@ export class Surface {
   readonly canvas: HTMLCanvasElement;
   private readonly context: CanvasRenderingContext2D;
   private readonly draw: Draw;
-  private readonly margin: number;
+  private readonly seen: () => Square;
   private readonly observer: ResizeObserver;
   private readonly listening = new AbortController();
   private pending = 0;
   private colours: Theme = theme();
 
-  /** Shows [−margin, 1 + margin]² and calls `draw` on a cleared canvas. */
-  constructor(canvas: HTMLCanvasElement, margin: number, draw: Draw) {
+  /** Shows `seen` and calls `draw` on a cleared canvas. */
+  constructor(canvas: HTMLCanvasElement, seen: () => Square, draw: Draw) {
     const context = canvas.getContext("2d");
     if (!context) throw new Error("this browser gives no 2D canvas; use a current Firefox, Chrome or Safari");
     this.canvas = canvas;
     this.context = context;
-    this.margin = margin;
+    this.seen = seen;
     this.draw = draw;
     this.observer = new ResizeObserver((entries) => this.resize(entries[entries.length - 1]));
     this.observer.observe(canvas);
@@ -49,15 +50,8 @@ export class Surface {
 
   get frame(): Frame {
     const { width, height } = this.canvas;
-    const scale = Math.min(width, height) / (1 + 2 * this.margin);
-    return {
-      left: -this.margin,
-      bottom: -this.margin,
-      scale,
-      width,
-      height,
-      ratio: devicePixelRatio,
-    };
+    const { left, bottom, size } = this.seen();
+    return { left, bottom, scale: Math.min(width, height) / size, width, height, ratio: devicePixelRatio };
   }
 
   /** Redraws before the browser's next frame; any number of calls until then cost one drawing. */
@@ -72,17 +66,15 @@ export class Surface {
   /** The domain point under a pointer event. */
   pointFrom(event: { clientX: number; clientY: number }): { x: number; y: number } {
     const box = this.canvas.getBoundingClientRect();
-    const unit = Math.min(box.width, box.height) / (1 + 2 * this.margin);
-    return {
-      x: (event.clientX - box.left) / unit - this.margin,
-      y: (box.bottom - event.clientY) / unit - this.margin,
-    };
+    const { left, bottom, size } = this.seen();
+    const unit = Math.min(box.width, box.height) / size;
+    return { x: left + (event.clientX - box.left) / unit, y: bottom + (box.bottom - event.clientY) / unit };
   }
 
   /** CSS pixels a domain unit. */
   get pixelsPerUnit(): number {
     const box = this.canvas.getBoundingClientRect();
-    return Math.min(box.width, box.height) / (1 + 2 * this.margin);
+    return Math.min(box.width, box.height) / this.seen().size;
   }
 
   dispose(): void {

@@ -85,7 +85,7 @@ export function drawResult(context: CanvasRenderingContext2D, frame: Frame, colo
 }
 
 /** Dashed, so that it is told from what is reached without colours too. */
-function drawMissed(
+export function drawMissed(
   context: CanvasRenderingContext2D,
   frame: Frame,
   colours: Theme,

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { unreached } from "./unreached";
+import { missedBy, unreached } from "./unreached";
 
 const SQUARE = Float64Array.of(0.2, 0.2, 0.4, 0.2, 0.6, 0.2, 0.6, 0.6, 0.2, 0.6);
 
@@ -19,4 +19,13 @@ test("a part that is left out begins and ends where the curve still is", () => {
 
 test("without a curve nothing is reached", () => {
   expect(unreached([SQUARE], [], 5)).toHaveLength(1);
+});
+
+test("nothing is looked for while the match is on its way, nor where the solver says that all is covered", () => {
+  const match = (finished: boolean, max: number) => ({
+    status: { finished, level: 5, cover: { max } },
+    curves: { template: [SQUARE], matched: [] },
+  });
+  expect([match(false, 9), match(true, 0.4), null].map((one) => missedBy(one).length)).toEqual([0, 0, 0]);
+  expect(missedBy(match(true, 9))).toHaveLength(1);
 });

@@ -2,15 +2,26 @@
 
 import { nearest } from "./along";
 
+type Loops = readonly Float64Array[];
+
+/** A match that may have missed parts, with what the solver says of it. */
+type Judged = {
+  readonly status: { readonly finished: boolean; readonly level: number; readonly cover: { readonly max: number } };
+  readonly curves: { readonly template: Loops; readonly matched: Loops };
+};
+
 /** Farther than so many cells is not reached: what the solver's verdict takes for covered. */
 const REACHED_CELLS = 1;
 
+/** Looked for only where the solver says that there is something. */
+export function missedBy(match: Judged | null): Float64Array[] {
+  if (!match?.status.finished || !(match.status.cover.max > REACHED_CELLS)) return [];
+  const { status, curves } = match;
+  return unreached(curves.template, curves.matched, status.level);
+}
+
 /** Stretches of the target's loops farther from the moved curve than a cell, as open polylines; whole loops closed. */
-export function unreached(
-  target: readonly Float64Array[],
-  moved: readonly Float64Array[],
-  level: number,
-): Float64Array[] {
+export function unreached(target: Loops, moved: Loops, level: number): Float64Array[] {
   const reach = REACHED_CELLS / 2 ** level;
   return target.flatMap((loop) => {
     const count = loop.length / 2;

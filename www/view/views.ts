@@ -124,7 +124,19 @@ function rasterOf(
   scene: ViewScene,
 ): OffscreenCanvas {
   const { match, morph, bandwidth, limit, picture } = scene;
-  const key = [view, match.deformation, morph, bandwidth, limit, picture, dark, frame.width];
+  const key = [
+    view,
+    match.deformation,
+    morph,
+    bandwidth,
+    limit,
+    picture,
+    dark,
+    frame.width,
+    frame.left,
+    frame.bottom,
+    frame.scale,
+  ];
   const before = painted.get(context.canvas);
   if (before?.key.every((value, i) => value === key[i])) return before.canvas;
   const canvas = pixelsOf(view, frame, dark, scene);

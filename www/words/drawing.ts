@@ -34,8 +34,8 @@ export const told = {
       ? `${place(at)}.`
       : `${place(at)}, at point ${index + 1} of ${count}${closes ? ": Enter closes the outline" : ""}.`,
   set: (index: number, at: Point) => `Point ${index + 1} set: ${place(at)}.`,
-  chosen: (index: number, count: number, at: Point) =>
-    `Point ${index + 1} of ${count}: ${place(at)}. Space takes it up, Delete deletes it.`,
+  chosen: (index: number, count: number, at: Point, closes: boolean) =>
+    `Point ${index + 1} of ${count}: ${place(at)}. Space takes it up, Delete deletes it${closes ? ", Enter closes the outline" : ""}.`,
   takenUp: (index: number) => `Point ${index + 1} taken up: arrow keys move it, Space sets it down.`,
   moved: (index: number, at: Point) => `Point ${index + 1} moved: ${place(at)}.`,
   deleted: (index: number, count: number) =>

@@ -5,6 +5,12 @@ import type { View } from "../view/names";
 export const en = {
   language: "en",
 
+  examples: {
+    title: "Or start from an example",
+    gallery: "Open the gallery",
+    galleryHelp: "Countries, animals and things, to be taken as reference or template",
+  },
+
   views: {
     grid: "Grid",
     image: "Image carried",
@@ -22,6 +28,9 @@ export const en = {
   /** What the first view's colours, lines and ticks mean; the others' captions come with them. */
   gridCaption:
     "Equal colours are matched points: thin where the reference was, in its shaded band, thick where it goes; short lines join the two. The broad pale line is the target, dashed where it was not reached. The net is the plane, deformed.",
+
+  /** Added to a view's caption where parts of the target were not reached. */
+  dashed: " Dashed is what of the target was not reached.",
 
   status: {
     ready: "Ready: press Match.",
@@ -71,6 +80,8 @@ export const en = {
     leave: "Leave",
     help: "The result alone on the whole screen, in large type",
   },
+
+  enlarge: { what: "The large surface", begin: (side: string) => `Enlarge ${side}` },
 
   guess: { begin: "Guess first", another: "Another point", end: "Done" },
 

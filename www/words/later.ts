@@ -75,12 +75,22 @@ export const later = {
     at: (iteration: number, all: number, grid: string) => `Iteration ${iteration} of ${all}, on the ${grid} grid`,
   },
 
-  legend: { reference: "Reference", matched: "Reference, moved", template: "Target" },
+  legend: { reference: "Reference", matched: "Reference, moved", template: "Target", missed: "Not reached (dashed)" },
 
   guess: {
     ask: "Where will the marked point of the reference go? Click there in the picture, or lead the cross by the arrow keys and press Enter.",
     off: (sides: string, cells: string) => `Your guess was ${sides} box sides off, ${cells} cells of the grid.`,
   },
+
+  enlarged: {
+    begun: (side: string) => `The ${side} fills the screen; Done leads back.`,
+    undo: "Undo",
+    redo: "Redo",
+    other: (side: string) => `To the ${side}`,
+    done: "Done",
+  },
+
+  gallery: { title: "Gallery", importing: (side: string) => `Import a ${side}` },
 
   present: { keys: "Space plays, ← → step, v next view, Esc leaves" },
 };

@@ -24,7 +24,9 @@ export const WAYS: Readonly<Record<Fault, string>> = {
   border: "Move it inside",
 };
 
-/** Spoken when a curve has been drawn. */
-export function drawnWords(side: "reference" | "template", count: number): string {
-  return count === 1 ? `The ${side} is one closed curve now.` : `The ${side} has ${count} closed curves now.`;
+/** Spoken when a shape has another number of curves than before, or is another one. */
+export function changeWords(side: "reference" | "template", before: number, after: number): string {
+  if (after === before) return `The ${side} has changed.`;
+  if (after === 0) return `The ${side} is empty now.`;
+  return after === 1 ? `The ${side} is one closed curve now.` : `The ${side} has ${after} closed curves now.`;
 }

@@ -26,10 +26,14 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
   useEffect(() => {
     if (!canvas.current) return;
     let square: Square | null = null;
+    let legend = false;
     const seen = () => {
+      // Another kind of square begins anew.
+      if (legend !== (view.peek() !== "grid")) square = null;
+      legend = view.peek() !== "grid";
       const { reference, template, pins } = scene.peek();
       const ends = Float64Array.from(pins.flatMap(({ reference: p, template: q }) => [p.x, p.y, q.x, q.y]));
-      square = framing([...reference, ...template, ends], square);
+      square = framing([...reference, ...template, ends], square, { legend });
       return square;
     };
     const made = new Surface(canvas.current, seen, (context, frame, colours) => {

@@ -31,7 +31,7 @@ export function Menu({ kind, label, name, busy = false, children }: Properties) 
       onKeyDown={(event) => event.key === "Escape" && close()}
       onClick={({ target }) => target instanceof Element && target.closest("li button") && close()}
     >
-      <summary aria-busy={busy} aria-label={name} title={name}>
+      <summary class="as-button" aria-busy={busy} aria-label={name} title={name}>
         {label}
       </summary>
       <ul>{children}</ul>

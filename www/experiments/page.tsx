@@ -52,7 +52,11 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
         <strong>Here.</strong> {setup}
       </p>
       <div class="group">
-        <a class="open" href={`./index.html#${linkTo(experiment.example())}`} aria-label={`Open in the page: ${title}`}>
+        <a
+          class="as-button"
+          href={`./index.html#${linkTo(experiment.example())}`}
+          aria-label={`Open in the page: ${title}`}
+        >
           Open in the page
         </a>
         {run.kind === "running" ? (

@@ -40,3 +40,9 @@ test("what comes to an empty picture is framed as if it had always been there", 
   const shape = [square(0.2, 0.3, 0.6)];
   expect(framing(shape, framing([]))).toEqual(framing(shape));
 });
+
+test("with a legend there is more room below the shapes than above", () => {
+  const { bottom, size } = framing([square(0.2, 0.2, 0.6)], null, { legend: true });
+  expect((0.2 - bottom) / size).toBeGreaterThan(0.2);
+  expect(bottom + size).toBeGreaterThan(0.8 + 0.1);
+});

@@ -11,6 +11,8 @@ const WHOLE: Square = { left: -MARGIN, bottom: -MARGIN, size: 1 + 2 * MARGIN };
 
 /** On each side of the shapes, as a part of their extent: the plane around them is seen to give way. */
 const AIR = 0.2;
+/** More of it below the shapes, where the legend of a view lies. */
+const FOOT = 0.15;
 /** Less air than this, and the square is chosen anew. */
 const LEAST_AIR = 0.06;
 /** So is one that could be smaller than this part of what it is. */
@@ -19,16 +21,17 @@ const LOOSE = 0.7;
 const LEAST = 0.3;
 
 /**
- * The square around the shapes; `before` stays as long as it will do, so that the picture does not move with every
- * stroke.
+ * The square around the shapes, with room for a legend or without; `before`, one of the same kind, stays as long as it
+ * will do, so that the picture does not move with every stroke.
  */
-export function framing(loops: readonly Float64Array[], before: Square | null = null): Square {
+export function framing(loops: readonly Float64Array[], before: Square | null = null, { legend = false } = {}): Square {
   const extent = extentOf(loops);
   if (!extent) return WHOLE;
-  const wanted = around(extent, AIR);
+  const foot = legend ? FOOT : 0;
+  const wanted = around(extent, AIR, foot);
   // Where nothing was shown, nothing moves.
   if (!before || before === WHOLE) return wanted;
-  const needed = around(extent, LEAST_AIR);
+  const needed = around(extent, LEAST_AIR, foot);
   const isWide = wanted.size < LOOSE * before.size;
   return isWide || !holds(before, needed) ? wanted : before;
 }
@@ -49,10 +52,10 @@ function extentOf(loops: readonly Float64Array[]): Extent | null {
   return { x: (left + right) / 2, y: (bottom + top) / 2, across: Math.max(right - left, top - bottom) };
 }
 
-function around({ x, y, across }: Extent, air: number): Square {
-  const size = Math.min(WHOLE.size, Math.max(LEAST, across * (1 + 2 * air)));
+function around({ x, y, across }: Extent, air: number, foot: number): Square {
+  const size = Math.min(WHOLE.size, Math.max(LEAST, across * (1 + 2 * air + foot)));
   const within = (low: number) => Math.min(1 + MARGIN - size, Math.max(-MARGIN, low));
-  return { left: within(x - size / 2), bottom: within(y - size / 2), size };
+  return { left: within(x - size / 2), bottom: within(y - (foot * across) / 2 - size / 2), size };
 }
 
 function holds(outer: Square, inner: Square): boolean {

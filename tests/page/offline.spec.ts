@@ -109,7 +109,7 @@ test.describe("a new version", () => {
   }
 
   function notice(page: Page) {
-    return page.getByRole("status", { name: "Version" });
+    return page.getByRole("region", { name: "Version" });
   }
 
   test("waits and says so, and takes over at a press without losing what has been drawn", async ({ page }) => {

@@ -4,7 +4,8 @@ import { offline as say } from "../words/offline";
 /** A new version waits: it says so, and a press lets it in. */
 export function Update() {
   return (
-    <div role="status" class="update" aria-label={say.region}>
+    // No status: that is the run's alone.
+    <section class="update" aria-live="polite" aria-label={say.region}>
       {waiting.value && (
         <div class="news">
           <p class="text">{say.waiting}</p>
@@ -13,6 +14,6 @@ export function Update() {
           </button>
         </div>
       )}
-    </div>
+    </section>
   );
 }

@@ -3,9 +3,9 @@ import { useEffect, useRef } from "preact/hooks";
 import { Surface } from "../view/canvas";
 import { framing, type Square } from "../view/framing";
 import { movedAt, movedLoops, wayOf } from "../view/morph";
-import { drawMark, localNumbers, probeAt, stepped } from "../view/probe";
+import { drawMark, probeAt, stepped } from "../view/probe";
 import type { ResultScene } from "../view/result";
-import { arrows, draw, guess, lazy, picture, probe, view } from "./viewing";
+import { arrows, draw, guess, lazy, local, picture, probe, view } from "./viewing";
 
 /** Of a pointer to the curves, in CSS pixels. */
 const REACH = 24;
@@ -40,7 +40,8 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
       const now = scene.peek();
       const { match } = now;
       draw(context, frame, colours, now, limit.peek());
-      const numbers = match && probe.peek() && localNumbers(match, probe.peek() ?? { x: 0, y: 0 });
+      const at = probe.peek();
+      const numbers = match && at && local.peek()?.localNumbers(match, at);
       if (numbers) {
         const partner = Float64Array.of(numbers.partnerX, numbers.partnerY);
         const [x, y] = movedAt(wayOf(match), [numbers.x, numbers.y], partner, now.morph);
@@ -51,7 +52,7 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
     });
     surface.current = made;
     const stop = effect(() => {
-      for (const shown of [scene, limit, view, lazy, picture, probe, arrows, guess]) shown.value;
+      for (const shown of [scene, limit, view, lazy, picture, probe, local, arrows, guess]) shown.value;
       made.invalidate();
     });
     return () => {

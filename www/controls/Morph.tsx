@@ -1,8 +1,8 @@
-import { useComputed, useSignal } from "@preact/signals";
+import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Session } from "../session";
-import { foldOf } from "../view/morph";
 import { en } from "../words/en";
+import { fetched } from "./fetched";
 import { PLAYS, type Play, partAt } from "./playing";
 
 /** Slides between the identity and the match; see view/morph.ts for the way between them. */
@@ -85,9 +85,21 @@ export function Morph({ session }: { session: Session }) {
 function Folds({ session }: { session: Session }) {
   // Looked for only when somebody leaves the match's end of the way.
   const away = useComputed(() => session.morph.value < 1);
+  const foldOf = useSignal<typeof import("../view/fold").foldOf | null>(null);
+  useSignalEffect(() => {
+    if (!away.value || foldOf.peek()) return;
+    fetched(en.morph.what, () => import("../view/fold")).then(
+      (part) => {
+        foldOf.value = part.foldOf;
+      },
+      (problem: Error) => {
+        session.problem.value = problem.message;
+      },
+    );
+  });
   const fold = useComputed(() => {
     const frame = away.value ? session.match.value : null;
-    return frame && foldOf({ level: frame.status.level, deformation: frame.deformation, curves: frame.curves });
+    return frame && foldOf.value?.({ level: frame.status.level, deformation: frame.deformation, curves: frame.curves });
   });
   if (!fold.value) return null;
   const [first, last] = fold.value.map((part) => Math.round(100 * part));

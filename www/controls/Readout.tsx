@@ -1,13 +1,12 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { localNumbers } from "../view/probe";
 import type { Match } from "../view/result";
 import { decimals } from "../words/numbers";
-import { probe } from "./viewing";
+import { local, probe } from "./viewing";
 
 /** The numbers at the place that is pointed at, in the half of the picture where it is not. */
 export function Readout({ match, name = "Numbers at the point" }: Properties) {
-  const numbers = match.value && probe.value && localNumbers(match.value, probe.value);
-  const low = numbers !== null && Math.max(numbers.y, numbers.partnerY) > 0.55;
+  const numbers = match.value && probe.value && local.value?.localNumbers(match.value, probe.value);
+  const low = numbers && Math.max(numbers.y, numbers.partnerY) > 0.55;
   return (
     <section class={low ? "readout low" : "readout"} aria-live="polite" aria-label={name}>
       {numbers && (

@@ -1,4 +1,4 @@
-import { useComputed } from "@preact/signals";
+import { useComputed, useSignalEffect } from "@preact/signals";
 import { useCallback } from "preact/hooks";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
@@ -6,9 +6,10 @@ import type { ResultScene } from "../view/result";
 import { missedBy } from "../view/unreached";
 import { en } from "../words/en";
 import { resultState, staleness } from "../words/said";
+import { fetched } from "./fetched";
 import { MatchCanvas } from "./MatchCanvas";
 import { Readout } from "./Readout";
-import { guess, lazy, limitOf, past, view } from "./viewing";
+import { guess, lazy, limitOf, local, past, probe, view } from "./viewing";
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */
 export function ResultPanel({ session }: { session: Session }) {
@@ -25,6 +26,17 @@ export function ResultPanel({ session }: { session: Session }) {
   const limit = useComputed(() => limitOf(match.value, width.value));
   const label = useComputed(() => `Deformed grid and matched curve: ${state(session)}`);
   const drawn = useCallback(() => session.drawn(), [session]);
+  useSignalEffect(() => {
+    if (!probe.value || local.peek()) return;
+    fetched(en.result.numbers, () => import("../view/local")).then(
+      (part) => {
+        local.value = part;
+      },
+      (problem: Error) => {
+        session.problem.value = problem.message;
+      },
+    );
+  });
   const Legend = lazy.value?.legends.Legend;
   const outdated = session.outdated.value;
   const showsPicture = view.value === "image" || view.value === "pullback";

@@ -15,6 +15,9 @@ export const view = signal<View>("grid");
 /** The place on the reference that is pointed at. */
 export const probe = signal<Probe | null>(null);
 
+/** What gives the numbers there, once it is there. */
+export const local = signal<typeof import("../view/local") | null>(null);
+
 /** An iteration that is looked at again, and what the picture says of it. */
 export const past = signal<{ readonly match: Match; readonly words: string } | null>(null);
 

@@ -3,9 +3,9 @@
 import { curvatures, nearest, stretch } from "./along";
 import { atNodes, bendingAt, stretchingAt, volumeDensities } from "./density";
 import { bandWeights, distances, logDeterminants, mismatches, thinned } from "./field";
+import { CURVATURE_CELLS } from "./local";
 import { movedGrid, movedLoops } from "./morph";
 import type { View } from "./names";
-import { CURVATURE_CELLS } from "./probe";
 import type { Match } from "./result";
 
 /** Fields with a distance at each node are costly, and smooth: no more cells than this. */

@@ -3,8 +3,9 @@ import { beforeAll, expect, test } from "vitest";
 import { PRESETS } from "../shapes/presets";
 import { initSync, Registration } from "../wasm/thinshell.js";
 import { signedDistance } from "./along";
+import { foldOf } from "./fold";
 import { identity } from "./identity";
-import { foldOf, movedAt, movedGrid, movedLoops, wayOf } from "./morph";
+import { movedAt, movedGrid, movedLoops, wayOf } from "./morph";
 import type { Match } from "./result";
 
 beforeAll(() => {

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { localNumbers, probeAt, stepped } from "./probe";
+import { localNumbers } from "./local";
+import { probeAt, stepped } from "./probe";
 import type { Match } from "./result";
 
 const COUNT = 120;

@@ -1,57 +1,11 @@
-/** One point of the reference with its partner: the numbers there, and the marks that show them. */
+/** One point of the reference: what the pointer means, and the mark that shows it. */
 
-import { area, curvature, nearest, signedDistance, stretch } from "./along";
+import { nearest } from "./along";
 import { type Frame, pixelX, pixelY } from "./canvas";
-import { determinantAt } from "./field";
 import type { Theme } from "./palette";
-import type { Match } from "./result";
 
 /** A place on the reference: kept as such, so that it stays when the match, and with it the points, changes. */
 export type Probe = { readonly x: number; readonly y: number };
-
-export type LocalNumbers = {
-  readonly x: number;
-  readonly y: number;
-  readonly partnerX: number;
-  readonly partnerY: number;
-  readonly stretch: number;
-  readonly determinant: number;
-  /** Of the reference here and of the template at the partner, per box side. */
-  readonly curvature: number;
-  readonly partnerCurvature: number;
-  /** Of the partner to the template, in cells. */
-  readonly distance: number;
-};
-
-/** Half width, in cells, of what curvature is fitted to. */
-export const CURVATURE_CELLS = 3;
-
-/** At the reference's point nearest to the probe; null for a match without curves. */
-export function localNumbers(match: Match, probe: Probe): LocalNumbers | null {
-  const { reference, matched, template } = match.curves;
-  const here = nearest(reference, probe.x, probe.y);
-  if (!here) return null;
-  const i = here.point;
-  const loop = reference[here.loop];
-  const moved = matched[here.loop];
-  const cells = 2 ** match.level;
-  const [x, y] = [loop[2 * i], loop[2 * i + 1]];
-  const [partnerX, partnerY] = [moved[2 * i], moved[2 * i + 1]];
-  const there = nearest(template, partnerX, partnerY);
-  const bend = (points: Float64Array, at: number) =>
-    Math.sign(area(points)) * curvature(points, at, CURVATURE_CELLS / cells);
-  return {
-    x,
-    y,
-    partnerX,
-    partnerY,
-    stretch: stretch(loop, moved, i),
-    determinant: determinantAt({ cells, deformation: match.deformation }, x, y),
-    curvature: bend(loop, i),
-    partnerCurvature: there ? bend(template[there.loop], there.point) : Number.NaN,
-    distance: Math.abs(signedDistance(template, partnerX, partnerY)) * cells,
-  };
-}
 
 /**
  * What a pointer at (x, y) means, within `reach`: the nearest point of the reference, or the one whose image among

@@ -102,6 +102,7 @@ export const en = {
 
   morph: {
     name: "Morph",
+    what: "What looks for folds",
     play: "Play the morph",
     stop: "Stop the morph",
     part: (percent: number) => `${percent} % of the deformation`,
@@ -123,6 +124,7 @@ export const en = {
     on: (doing: string, side: number) => `${doing} on the ${side} by ${side} grid`,
     outdated: { settings: "Computed with other settings", pins: "Computed with other pins" },
     back: "Back to the result",
+    numbers: "What measures a point",
   },
 };
 

@@ -1,6 +1,7 @@
 /** Wires shapes, solver and views into the page; the only file that knows all. */
 
-import { render } from "preact";
+import { signal } from "@preact/signals";
+import { type FunctionComponent, render } from "preact";
 import { EnlargedBar } from "./controls/Enlarge";
 import { ForcesSwitch } from "./controls/ForcesSwitch";
 import { Guess } from "./controls/Guess";
@@ -16,19 +17,21 @@ import { Stage } from "./controls/Stage";
 import { Caption, StatusPanel } from "./controls/StatusPanel";
 import { Terms } from "./controls/Terms";
 import { Problem, Toolbar } from "./controls/Toolbar";
-import { Update } from "./controls/Update";
 import { ViewPicker } from "./controls/ViewPicker";
 import { choose, view } from "./controls/viewing";
 import { moduleAt } from "./engine";
 import { open } from "./link/open";
 import { Memory } from "./memory/memory";
-import { keepOffline, whenIdle } from "./offline/updates";
+import { whenIdle } from "./offline/idle";
 import { changedFields, Session } from "./session";
 import { fetchHands } from "./tools/tool";
 import "./style.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
 import { memory as memoryWords } from "./words/memory";
 import SolverWorker from "./worker?worker&inline";
+
+/** Says that there is a new version of the page, once it is there itself. */
+const news = signal<FunctionComponent | null>(null);
 
 function App({ session }: { session: Session }) {
   return (
@@ -42,7 +45,7 @@ function App({ session }: { session: Session }) {
       <div class="actions">
         <Toolbar session={session} />
         <Problem session={session} />
-        <Update />
+        {news.value && <news.value />}
       </div>
       <section class="outcome" aria-labelledby="outcome-name">
         <div class="sight">
@@ -147,4 +150,11 @@ hands.then(
   },
 );
 // While developing, nothing is to come from yesterday.
-if (import.meta.env.PROD) whenIdle(() => void keepOffline());
+if (import.meta.env.PROD) {
+  whenIdle(async () => {
+    // Without the network on a first visit there is nothing to keep.
+    const part = await import("./controls/Update").catch(() => null);
+    news.value = part?.Update ?? null;
+    await part?.keepOffline();
+  });
+}

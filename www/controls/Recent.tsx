@@ -7,7 +7,8 @@ import { bandwidth } from "../settings";
 import { PRESETS } from "../shapes/presets";
 import { theme } from "../view/palette";
 import { drawResult } from "../view/result";
-import { memory as say } from "../words/memory";
+import { memory as words } from "../words/memory";
+import { recent as say } from "../words/recent";
 import { adopt } from "./adopt";
 import style from "./earlier.css?inline";
 
@@ -40,7 +41,7 @@ export function Recent({ session }: { session: Session }) {
   return (
     <>
       <p class="help">{say.help}</p>
-      <ul class="earlier" aria-label={say.title}>
+      <ul class="earlier" aria-label={words.title}>
         {list.value.map(({ kept, saved }) => (
           <Entry key={kept.id} session={session} kept={kept} saved={saved} remove={() => remove(kept)} />
         ))}

@@ -1,6 +1,8 @@
 import { takeOver, waiting } from "../offline/updates";
 import { offline as say } from "../words/offline";
 
+export { keepOffline } from "../offline/updates";
+
 /** A new version waits: it says so, and a press lets it in. */
 export function Update() {
   return (

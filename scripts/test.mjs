@@ -10,11 +10,12 @@ import { driverEnvironment, ensureChromium } from "./lib/chromium.mjs";
 import { heading, main, Obstacle, root, run } from "./lib/process.mjs";
 import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setup.mjs";
 import { checkSize } from "./size.mjs";
-import { buildWasm } from "./wasm.mjs";
+import { buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 /** @typedef {{ passed: number, failed: number, skipped?: number }} Count */
 
 const WASM = ["--target", "wasm32-unknown-unknown"];
+const SURFACES = ["--features", "surfaces"];
 const FUZZ_CASES = 2000;
 // In a glob, so that a second file of browser tests needs no word here.
 const BROWSER_TESTS = ["--test", "wasm*"];
@@ -28,6 +29,7 @@ const STEPS = {
         () => succeeds("cargo", ["fmt", "--check"]),
         () => succeeds("cargo", ["clippy", "--locked", "--all-targets", "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...BROWSER_TESTS, "--", "-D", "warnings"]),
+        () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...SURFACES, "--", "-D", "warnings"]),
         () => succeeds(...program("@biomejs/biome/bin/biome", ["check", "--error-on-warnings"])),
       ),
   },
@@ -55,6 +57,7 @@ const STEPS = {
     title: "unit: vitest",
     check: async () => {
       await buildWasm();
+      await buildSolidWasm();
       const file = report("vitest.json");
       const reporters = ["--reporter=default", "--reporter=json", `--outputFile.json=${file}`];
       const { code } = await run(...program("vitest/vitest.mjs", ["run", ...reporters]));

@@ -2,7 +2,7 @@
 
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { heading, main, must, root } from "./lib/process.mjs";
 import { settingsModule, settingsTypes } from "./lib/settings.mjs";
@@ -34,6 +34,19 @@ const CODE = [
 /** Builds the solver for the page; with nothing changed it takes a fraction of a second. */
 export async function buildWasm() {
   await packageWasm("thinshell", "thinshell", join(root, "www", "wasm"), writeSettings);
+  // Types are checked without waiting for the other package: its names are the same.
+  const types = join(root, "www", "wasm-solid", "thinshell.d.ts");
+  if (existsSync(types)) return;
+  mkdirSync(dirname(types), { recursive: true });
+  writeFileSync(types, 'export * from "../wasm/thinshell.js";\n');
+}
+
+/** Builds the solver with surfaces: the same names, loaded on demand. */
+export async function buildSolidWasm() {
+  await packageWasm("thinshell", "thinshell", join(root, "www", "wasm-solid"), writeSettings, [
+    "--features",
+    "surfaces",
+  ]);
 }
 
 /** Builds the kernels of `npm run bench`, a module of their own. */
@@ -57,11 +70,12 @@ async function writeSettings(folder) {
  * Compiles a crate of the workspace and packages it as `{name}.js`, `{name}.d.ts` and `{name}_bg.wasm`.
  * @param {string} crate @param {string} name @param {string} out
  * @param {(folder: string) => Promise<void>} [complete] adds to the package
+ * @param {string[]} [options] cargo's
  */
-async function packageWasm(crate, name, out, complete) {
+async function packageWasm(crate, name, out, complete, options = []) {
   await ensureRust();
   const bindgen = await ensureBindgen();
-  const wanted = ["--target", "wasm32-unknown-unknown", "--lib", "--package", crate];
+  const wanted = ["--target", "wasm32-unknown-unknown", "--lib", "--package", crate, ...options];
   await must("cargo", ["rustc", "--release", "--locked", ...wanted, "--", ...CODE]);
 
   const target = resolve(root, process.env.CARGO_TARGET_DIR ?? "target");
@@ -104,5 +118,5 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href)
   await main(async () => {
     checkNode();
     await ensurePackages();
-    await buildWasm();
+    await (process.argv.includes("--solid") ? buildSolidWasm() : buildWasm());
   });

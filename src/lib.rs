@@ -29,7 +29,7 @@
 //!
 //! Modules, each using only those before it: [`small`], [`grid`], [`quadrature`], [`field`], [`hypersurface`], [`distance`], [`energy`],
 //! [`stencil`], [`assemble`], [`metric`], [`multigrid`], [`minimize`], [`prolongation`], [`inverse`], [`align`],
-//! [`settings`], [`cascade`], [`report`], [`search`]; [`contour`], [`narrow`] and [`verdict`] look at shapes and results,
+//! [`settings`], [`cascade`], [`report`], [`search`]; [`contour`], [`surface`], [`narrow`] and [`verdict`] look at shapes and results,
 //! [`shape`] takes input.
 //!
 //! ```
@@ -81,6 +81,7 @@ pub mod settings;
 pub mod shape;
 pub mod small;
 pub mod stencil;
+pub mod surface;
 pub mod verdict;
 #[cfg(target_arch = "wasm32")]
 mod web;

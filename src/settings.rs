@@ -23,6 +23,8 @@ const LEAST_BAND: f64 = 0.5;
 const LEAST_COARSE_BAND: f64 = 0.35;
 /// Half width of the band where none is chosen: in domain units, and in cells of the finest level.
 const USUAL_BAND: (f64, f64) = (0.05, 1.5);
+/// The finest level for surfaces.
+const MOST_SOLID_LEVEL: u32 = 7;
 /// ρ on levels before the finest, in units of the setting: a wide residual holds the shell there, and on the finest level
 /// would cost accuracy.
 const COARSE_TANGENCY: f64 = 4.0;
@@ -53,6 +55,25 @@ impl Settings {
                 number(least)
             );
             return refuse("bandwidth", self.bandwidth, range);
+        }
+        Ok(())
+    }
+
+    /// The finest level where none is chosen, for surfaces: the next one takes ten times as long.
+    pub const USUAL_SOLID_LEVEL: u32 = 5;
+
+    /// What [`validate`](Self::validate) checks, and that the levels are some for surfaces.
+    ///
+    /// # Errors
+    /// As [`validate`](Self::validate).
+    pub fn validate_for_surfaces(&self) -> Result<(), Error> {
+        self.validate()?;
+        if self.finest > MOST_SOLID_LEVEL {
+            let range = format!(
+                "at most {MOST_SOLID_LEVEL} for surfaces, {}³ nodes; each level more takes eight times the memory",
+                (1_u32 << MOST_SOLID_LEVEL) + 1
+            );
+            return Err(Error::Setting { name: "finest", value: number(f64::from(self.finest)), range });
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! Shapes as they are given: curves, level sets, masks.
+//! Shapes as they are given: curves, level sets, masks, meshes.
 
 use crate::distance::SignedDistance;
 use crate::error::ShapeError;
@@ -16,8 +16,42 @@ pub enum Shape {
     Mask { width: usize, height: usize, data: Vec<u8> },
 }
 
-/// Cells a side a level set may have.
+/// A shape in space.
+#[derive(Clone, Debug)]
+pub enum Solid {
+    /// A closed mesh: positions, and triples of them.
+    Mesh { positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]> },
+    /// Nodal values on (cells + 1)³ nodes, x fastest, negative inside.
+    LevelSet { cells: usize, values: Vec<f64>, redistance: bool },
+}
+
+/// Cells a side a level set may have, in the plane and in space.
 const LEVEL_SET_CELLS: std::ops::RangeInclusive<usize> = 4..=4096;
+const SOLID_CELLS: std::ops::RangeInclusive<usize> = 4..=256;
+
+impl Solid {
+    /// The signed distance on the grid of a level.
+    ///
+    /// # Errors
+    /// What is wrong with the shape and what to do.
+    pub fn distance(&self, level: u32) -> Result<SignedDistance<3>, ShapeError> {
+        let grid = Grid::of_level(level);
+        match self {
+            Solid::Mesh { positions, triangles } => SignedDistance::from_mesh(grid, positions, triangles),
+            Solid::LevelSet { cells, values, redistance } => {
+                check_cells(*cells, SOLID_CELLS)?;
+                SignedDistance::from_level_set_on(grid, Grid::new(*cells), values, *redistance)
+            }
+        }
+    }
+}
+
+fn check_cells(cells: usize, range: std::ops::RangeInclusive<usize>) -> Result<(), ShapeError> {
+    if cells.is_power_of_two() && range.contains(&cells) {
+        return Ok(());
+    }
+    Err(ShapeError::LevelSetCells { cells, least: *range.start(), most: *range.end() })
+}
 
 impl Shape {
     /// The signed distance on the grid of a level.
@@ -30,10 +64,7 @@ impl Shape {
             Shape::Curves(loops) => SignedDistance::from_loops(grid, loops),
             Shape::Mask { width, height, data } => SignedDistance::from_mask(grid, *width, *height, data),
             Shape::LevelSet { cells, values, redistance } => {
-                if !cells.is_power_of_two() || !LEVEL_SET_CELLS.contains(cells) {
-                    let (least, most) = (*LEVEL_SET_CELLS.start(), *LEVEL_SET_CELLS.end());
-                    return Err(ShapeError::LevelSetCells { cells: *cells, least, most });
-                }
+                check_cells(*cells, LEVEL_SET_CELLS)?;
                 SignedDistance::from_level_set_on(grid, Grid::new(*cells), values, *redistance)
             }
         }

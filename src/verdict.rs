@@ -1,5 +1,9 @@
 //! How a match ended, in words: what fits, and if something does not, what and where.
 
+mod solid;
+
+pub use solid::{SolidPair, Topology};
+
 use crate::distance::SignedDistance;
 use crate::grid::Grid;
 use crate::hypersurface::Loop;

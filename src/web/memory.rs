@@ -10,11 +10,39 @@ const STARTS: f64 = 2_800.0;
 /// Half of what a module can have; the rest is shapes, and memory in pieces.
 const MOST: f64 = 2e9;
 
+/// Bytes a node in space: operators on all levels and what lies between them, vectors, jets; and more for each node that the
+/// band holds, while its samples are laid out.
+#[cfg(feature = "surfaces")]
+const SOLID_LEVEL: f64 = 1_700.0;
+#[cfg(feature = "surfaces")]
+const SOLID_BAND: f64 = 5_700.0;
+/// The share of the box that the band holds, by its half width: of a surface with twice the area of a side of the box.
+#[cfg(feature = "surfaces")]
+const BAND_SHARE: f64 = 4.0;
+/// Starts on the coarsest level: a displacement each.
+#[cfg(feature = "surfaces")]
+const SOLID_STARTS: f64 = 3_500.0;
+
 /// Refuses settings that would need more memory than there is, rather than dying of it later.
 pub(super) fn check(settings: &Settings) -> Result<(), Error> {
     let nodes = |level: u32| f64::from((1_u32 << level) + 1).powi(2);
     let starts = if settings.alignment == Alignment::Similarity { STARTS } else { LEVEL };
     let bytes = (LEVEL * nodes(settings.finest)).max(starts * nodes(settings.coarsest));
+    is_there(bytes, settings)
+}
+
+/// The same for surfaces.
+#[cfg(feature = "surfaces")]
+pub(super) fn check_solid(settings: &Settings) -> Result<(), Error> {
+    let nodes = |level: u32| f64::from((1_u32 << level) + 1).powi(3);
+    let band = (BAND_SHARE * settings.functional(settings.finest).bandwidth).min(1.0);
+    let level = SOLID_LEVEL + band * SOLID_BAND;
+    let starts = if settings.alignment == Alignment::Similarity { SOLID_STARTS } else { 0.0 };
+    let bytes = (level * nodes(settings.finest)).max((level + starts) * nodes(settings.coarsest));
+    is_there(bytes, settings)
+}
+
+fn is_there(bytes: f64, settings: &Settings) -> Result<(), Error> {
     // Asking for it and giving it back shows whether it is there.
     let there = bytes <= MOST && Vec::<u8>::new().try_reserve_exact(bytes as usize).is_ok();
     if there { Ok(()) } else { Err(Error::Memory { gigabytes: bytes * 1e-9, finest: settings.finest }) }

@@ -2,6 +2,8 @@
 //! an exception that passed through the solver would leave its promise pending.
 
 use crate::words::{number, quoted};
+#[cfg(feature = "surfaces")]
+use js_sys::Uint32Array;
 use js_sys::{Array, Float64Array, Function, Object, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 
@@ -22,6 +24,13 @@ extern "C" {
     type CopiedBytes;
     #[wasm_bindgen(constructor, catch, js_class = "Uint8Array")]
     fn new(source: &JsValue) -> Result<CopiedBytes, JsValue>;
+
+    #[cfg(feature = "surfaces")]
+    #[wasm_bindgen(js_name = Uint32Array)]
+    type CopiedIndices;
+    #[cfg(feature = "surfaces")]
+    #[wasm_bindgen(constructor, catch, js_class = "Uint32Array")]
+    fn new(source: &JsValue) -> Result<CopiedIndices, JsValue>;
 
     /// True for typed arrays only, whatever else a value claims to be.
     #[wasm_bindgen(js_namespace = ArrayBuffer, js_name = isView)]
@@ -72,6 +81,19 @@ pub(super) fn bytes(what: &str, value: &JsValue) -> Result<Vec<u8>, JsError> {
     let mut bytes = room(what, copied.length(), MOST_PIXELS)?;
     copied.copy_to(&mut bytes);
     Ok(bytes)
+}
+
+/// The numbers of what must be a Uint32Array.
+#[cfg(feature = "surfaces")]
+pub(super) fn indices(what: &str, value: &JsValue) -> Result<Vec<u32>, JsError> {
+    if !(is_view(value) && value.is_instance_of::<Uint32Array>()) {
+        return Err(wrong(what, value, "a Uint32Array"));
+    }
+    let copied = CopiedIndices::new(value).map_err(|thrown| unreadable(what, &thrown))?;
+    let copied = copied.unchecked_into::<Uint32Array>();
+    let mut indices = room(what, copied.length(), MOST_NUMBERS)?;
+    copied.copy_to(&mut indices);
+    Ok(indices)
 }
 
 /// Zeros to be written over, or a refusal where there is no memory for them.

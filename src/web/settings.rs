@@ -18,6 +18,8 @@ pub(super) struct Chosen {
     pub settings: Settings,
     /// As they came: the dimension is the shapes'.
     pub pins: Vec<f64>,
+    /// Whether the finest level was chosen: what is usual depends on the dimension.
+    pub is_finest_chosen: bool,
 }
 
 impl Chosen {
@@ -40,6 +42,7 @@ impl Chosen {
                 chosen.pins = numbers(PINS.name, &value)?;
                 continue;
             }
+            chosen.is_finest_chosen |= name == "finest";
             let words = described(&value);
             let text = value.as_string();
             let value = match (value.as_f64(), value.as_bool(), &text) {

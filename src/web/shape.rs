@@ -1,15 +1,31 @@
 //! Shapes from JavaScript.
 
+#[cfg(feature = "surfaces")]
+use super::read::indices;
 use super::read::{bytes, items, numbers, property, whole, wrong};
 use crate::error::{Error, ShapeError};
 use crate::shape::Shape;
+#[cfg(feature = "surfaces")]
+use crate::shape::Solid;
 use crate::words::quoted;
 use glam::DVec2;
 use wasm_bindgen::prelude::*;
 
+/// This module is the first that a page loads: what surfaces need is in another.
+#[cfg(not(feature = "surfaces"))]
+const ELSEWHERE: &str = "surfaces are registered by the package wasm-solid, this one is for curves";
+
 const KINDS: &str = "\"curves\", \"levelSet\", \"mask\" or \"mesh\"";
 
-pub(super) fn read_shape(name: &'static str, shape: &JsValue) -> Result<Shape, JsError> {
+/// A shape of either dimension.
+#[derive(Clone)]
+pub(super) enum Given {
+    Plane(Shape),
+    #[cfg(feature = "surfaces")]
+    Space(Solid),
+}
+
+pub(super) fn read_shape(name: &'static str, shape: &JsValue) -> Result<Given, JsError> {
     let owner = format!("the {name}");
     let unsupported =
         |problem: String| Err(Error::Shape { shape: name, problem: ShapeError::Unsupported(problem) }.into());
@@ -23,24 +39,44 @@ pub(super) fn read_shape(name: &'static str, shape: &JsValue) -> Result<Shape, J
         return Err(wrong(&format!("{owner}'s kind"), &kind, KINDS));
     };
     match kind.as_str() {
-        "curves" => Ok(Shape::Curves(read_loops(&owner, &field("loops")?)?)),
+        "curves" => Ok(Given::Plane(Shape::Curves(read_loops(&owner, &field("loops")?)?))),
         "mask" => {
             let (width, height) = (count("width")?, count("height")?);
             let data = bytes(&format!("{owner}'s data"), &field("data")?)?;
-            Ok(Shape::Mask { width, height, data })
+            Ok(Given::Plane(Shape::Mask { width, height, data }))
         }
         "levelSet" => {
             let (cells, dim, redistance) = (count("cells")?, count("dim")?, field("redistance")?);
             let Some(redistance) = redistance.as_bool() else {
                 return Err(wrong(&format!("{owner}'s redistance"), &redistance, "true or false"));
             };
-            if dim != 2 {
-                return unsupported(format!("has dimension {dim}; only 2D shapes can be registered so far"));
+            let values = || numbers(&format!("{owner}'s values"), &field("values")?);
+            match dim {
+                2 => Ok(Given::Plane(Shape::LevelSet { cells, values: values()?, redistance })),
+                #[cfg(feature = "surfaces")]
+                3 => Ok(Given::Space(Solid::LevelSet { cells, values: values()?, redistance })),
+                #[cfg(not(feature = "surfaces"))]
+                3 => unsupported(format!("has dimension 3; {ELSEWHERE}")),
+                _ => unsupported(format!("has dimension {dim}; it must be 2 or 3")),
             }
-            let values = numbers(&format!("{owner}'s values"), &field("values")?)?;
-            Ok(Shape::LevelSet { cells, values, redistance })
         }
-        "mesh" => unsupported("is a mesh; only 2D shapes can be registered so far".into()),
+        #[cfg(feature = "surfaces")]
+        "mesh" => {
+            let positions = numbers(&format!("{owner}'s positions"), &field("positions")?)?;
+            let triangles = indices(&format!("{owner}'s indices"), &field("indices")?)?;
+            let length = |array: &'static str, found: usize, needed: &'static str| -> Result<(), JsError> {
+                let problem = ShapeError::MeshLength { name: array, found, needed };
+                if found.is_multiple_of(3) { Ok(()) } else { Err(Error::Shape { shape: name, problem }.into()) }
+            };
+            length("positions", positions.len(), "every vertex has three, x, y and z")?;
+            length("indices", triangles.len(), "every triangle has three")?;
+            Ok(Given::Space(Solid::Mesh {
+                positions: positions.as_chunks::<3>().0.to_vec(),
+                triangles: triangles.as_chunks::<3>().0.to_vec(),
+            }))
+        }
+        #[cfg(not(feature = "surfaces"))]
+        "mesh" => unsupported(format!("is a mesh; {ELSEWHERE}")),
         other => unsupported(format!("has the unknown kind {}; use {KINDS}", quoted(other))),
     }
 }

@@ -5,7 +5,6 @@ use crate::assemble::Evaluation;
 use crate::energy::Energies;
 use crate::report::{Report, Spread};
 use crate::search::SearchProgress;
-use crate::verdict::Unresolved;
 use js_sys::{Float64Array, Object};
 use wasm_bindgen::prelude::*;
 
@@ -24,13 +23,16 @@ export interface Status {
   /** Evaluations of the energy on all levels. */
   evaluations: number;
   energies: Energies;
-  /** The least determinant of Dφ over the corners of all cells; > 0 always. */
+  /**
+   * The least determinant of Dφ: of curves over the corners of all cells, which is exact; of surfaces the least coefficient in
+   * Bernstein's basis, a lower bound. > 0 always.
+   */
   leastDeterminant: number;
   /** |d2(φ)| along M1, both outlines as they were given. */
   mismatch: Spread;
   /** The distance of points of M2, the outline of the template as it was given, to φ(M1). */
   cover: Spread;
-  /** The length of φ(M1) over M2's: 1, more where it crumples, less where parts are missed. */
+  /** The length (area) of φ(M1) over M2's: 1, more where it crumples, less where parts are missed. */
   measure: number;
   stretch: Stretch;
   /** What the match came to, in words; null while it goes on. */
@@ -53,13 +55,13 @@ export interface Spread {
   max: number;
 }
 
-/** |Dφ t| along M1. */
+/** |Dφ t| along M1; of surfaces the ratio of areas. */
 export interface Stretch {
   mean: number;
   deviation: number;
 }
 
-/** The narrowest neck or gap of two shapes where their finest grid does not resolve it. */
+/** The narrowest neck or gap of two curves, or the thinnest part of two surfaces, where the finest grid does not resolve it. */
 export interface Inspection {
   /** A sentence; null where the grid resolves both shapes. */
   words: string | null;
@@ -78,7 +80,11 @@ export interface Evaluation {
 }
 "#;
 
-pub(super) fn status(progress: &SearchProgress, report: &Report<2>, verdict: Option<String>) -> JsValue {
+pub(super) fn status<const D: usize>(
+    progress: &SearchProgress,
+    report: &Report<D>,
+    verdict: Option<String>,
+) -> JsValue {
     object(&[
         ("finished", progress.stop.is_some().into()),
         ("stop", or_null(progress.stop.map(|stop| stop.to_string()))),
@@ -96,11 +102,9 @@ pub(super) fn status(progress: &SearchProgress, report: &Report<2>, verdict: Opt
     ])
 }
 
-pub(super) fn inspection(unresolved: Option<Unresolved>) -> JsValue {
-    object(&[
-        ("words", or_null(unresolved.map(|found| found.sentence()))),
-        ("level", or_null(unresolved.and_then(|found| found.level))),
-    ])
+/// What is not resolved, in a sentence, and the level that resolves it.
+pub(super) fn inspection(words: Option<String>, level: Option<u32>) -> JsValue {
+    object(&[("words", or_null(words)), ("level", or_null(level))])
 }
 
 pub(super) fn evaluation(evaluated: &Evaluation, mut gradient: Vec<f64>) -> JsValue {
@@ -128,11 +132,11 @@ fn energies(evaluated: &Evaluation) -> JsValue {
     object(&fields.map(|(name, value)| (name, defined(value).into())))
 }
 
-fn spread(measured: &Spread<2>) -> JsValue {
+fn spread<const D: usize>(measured: &Spread<D>) -> JsValue {
     object(&[("mean", measured.mean.into()), ("max", measured.max.into())])
 }
 
-fn object(fields: &[(&str, JsValue)]) -> JsValue {
+pub(super) fn object(fields: &[(&str, JsValue)]) -> JsValue {
     let object = Object::new();
     for (name, value) in fields {
         put(&object, name, value);

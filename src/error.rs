@@ -53,30 +53,6 @@ pub enum ShapeError {
     )]
     TooThin { share: f64, cells: usize },
     #[error(
-        "is too thin for the grid of {cells} cells a side, which sees {} % of its surface and least of it at {}; make it thicker or choose a finer grid",
-        fixed(100.0 * share, 0), place_in_space(at)
-    )]
-    TooThinAt { share: f64, cells: usize, at: [f64; 3] },
-    #[error("has no triangles; load a closed mesh")]
-    NoTriangles,
-    #[error("has more than {most} triangles; simplify the mesh")]
-    TooManyTriangles { most: usize },
-    #[error("has a vertex with a coordinate that is not finite (vertex {vertex}); remove or replace it")]
-    VertexNotFinite { vertex: usize },
-    #[error(
-        "has a triangle with vertex {index} (triangle {triangle}), but there are only {vertices} vertices, numbered from 0"
-    )]
-    NoSuchVertex { triangle: usize, index: u32, vertices: usize },
-    #[error("holds {found} numbers as its {name}, but {needed}")]
-    MeshLength { name: &'static str, found: usize, needed: &'static str },
-    #[error(
-        "is open: {edges} edges belong to one triangle only, the largest hole is at {}; close it, only small holes are closed by themselves",
-        place_in_space(at)
-    )]
-    OpenMesh { edges: usize, at: [f64; 3] },
-    #[error("encloses no volume; load a mesh that goes around something")]
-    NoVolume,
-    #[error(
         "leaves the box on the {side} ({coordinate} = {}); make it smaller or move it inwards (\"Fit\" does both)",
         place(*value)
     )]
@@ -109,6 +85,37 @@ pub enum ShapeError {
     TooManyPoints { most: usize },
     #[error("{0}")]
     Unsupported(String),
+}
+
+/// What is wrong with a mesh. Reads on after "the reference …".
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum MeshError {
+    #[error(
+        "is too thin for the grid of {cells} cells a side, which sees {} % of its surface and least of it at {}; make it thicker or choose a finer grid",
+        fixed(100.0 * share, 0), place_in_space(at)
+    )]
+    TooThin { share: f64, cells: usize, at: [f64; 3] },
+    #[error("has no triangles; load a closed mesh")]
+    NoTriangles,
+    #[error("has more than {most} triangles; simplify the mesh")]
+    TooManyTriangles { most: usize },
+    #[error("has a vertex with a coordinate that is not finite (vertex {vertex}); remove or replace it")]
+    VertexNotFinite { vertex: usize },
+    #[error(
+        "has a triangle with vertex {index} (triangle {triangle}), but there are only {vertices} vertices, numbered from 0"
+    )]
+    NoSuchVertex { triangle: usize, index: u32, vertices: usize },
+    #[error("holds {found} numbers as its {name}, but {needed}")]
+    Length { name: &'static str, found: usize, needed: &'static str },
+    #[error(
+        "is open: {edges} edges belong to one triangle only, the largest hole is at {}; close it, only small holes are closed by themselves",
+        place_in_space(at)
+    )]
+    Open { edges: usize, at: [f64; 3] },
+    #[error("encloses no volume; load a mesh that goes around something")]
+    NoVolume,
+    #[error(transparent)]
+    Shape(#[from] ShapeError),
 }
 
 /// A coordinate, with an exponent where it lies so far off that its digits would fill the page.

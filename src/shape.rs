@@ -1,7 +1,7 @@
 //! Shapes as they are given: curves, level sets, masks, meshes.
 
 use crate::distance::SignedDistance;
-use crate::error::ShapeError;
+use crate::error::{MeshError, ShapeError};
 use crate::grid::Grid;
 use glam::DVec2;
 
@@ -37,7 +37,12 @@ impl Solid {
     pub fn distance(&self, level: u32) -> Result<SignedDistance<3>, ShapeError> {
         let grid = Grid::of_level(level);
         match self {
-            Solid::Mesh { positions, triangles } => SignedDistance::from_mesh(grid, positions, triangles),
+            Solid::Mesh { positions, triangles } => {
+                SignedDistance::from_mesh(grid, positions, triangles).map_err(|problem| match problem {
+                    MeshError::Shape(problem) => problem,
+                    problem => ShapeError::Unsupported(problem.to_string()),
+                })
+            }
             Solid::LevelSet { cells, values, redistance } => {
                 check_cells(*cells, SOLID_CELLS)?;
                 SignedDistance::from_level_set_on(grid, Grid::new(*cells), values, *redistance)

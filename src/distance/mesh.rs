@@ -5,7 +5,7 @@ mod inside;
 mod spread;
 
 use super::SignedDistance;
-use crate::error::ShapeError;
+use crate::error::{MeshError, ShapeError};
 use crate::field::interpolate;
 use crate::grid::Grid;
 use crate::hypersurface::Hypersurface;
@@ -34,16 +34,16 @@ impl SignedDistance<3> {
     ///
     /// No triangle, an index without position, a coordinate that is not finite, a mesh that is open, encloses no volume,
     /// comes within [`CLEARANCE`](super::CLEARANCE) cells of the border, or is too thin for the grid.
-    pub fn from_mesh(grid: Grid<3>, positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<Self, ShapeError> {
+    pub fn from_mesh(grid: Grid<3>, positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<Self, MeshError> {
         check(grid, positions, indices)?;
         let mesh = closed(positions, indices)?;
         let volume = volume(&mesh.surface);
         if mesh.is_oriented && volume.abs() < LEAST_VOLUME * mesh.surface.measure().powf(1.5) {
-            return Err(ShapeError::NoVolume);
+            return Err(MeshError::NoVolume);
         }
         let inside = inside(grid, &mesh);
         if !inside.contains(&true) {
-            return Err(ShapeError::TooSmall { cells: grid.cells() });
+            return Err(ShapeError::TooSmall { cells: grid.cells() }.into());
         }
         let outline = Arc::new(without_inner_parts(&mesh.surface.cut(grid.spacing()), grid, &inside));
         let mut values = distances(grid, &outline);
@@ -59,10 +59,11 @@ impl SignedDistance<3> {
     }
 
     /// Where the grid sees least of a thin mesh.
-    fn with_place(&self, problem: ShapeError) -> ShapeError {
-        let ShapeError::TooThin { share, cells } = problem else { return problem };
-        let Some((at, _)) = self.least_seen() else { return problem };
-        ShapeError::TooThinAt { share, cells, at }
+    fn with_place(&self, problem: ShapeError) -> MeshError {
+        match (&problem, self.least_seen()) {
+            (&ShapeError::TooThin { share, cells }, Some((at, _))) => MeshError::TooThin { share, cells, at },
+            _ => problem.into(),
+        }
     }
 
     /// The place of the outline that lies farthest outside of what the grid sees, and how far, in cells. Zero where the grid
@@ -79,20 +80,20 @@ impl SignedDistance<3> {
 }
 
 /// What can be said before anything is computed.
-fn check(grid: Grid<3>, positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<(), ShapeError> {
+fn check(grid: Grid<3>, positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<(), MeshError> {
     if positions.is_empty() || indices.is_empty() {
-        return Err(ShapeError::NoTriangles);
+        return Err(MeshError::NoTriangles);
     }
     if indices.len() > MOST_TRIANGLES {
-        return Err(ShapeError::TooManyTriangles { most: MOST_TRIANGLES });
+        return Err(MeshError::TooManyTriangles { most: MOST_TRIANGLES });
     }
     if let Some(vertex) = positions.iter().position(|position| !position.iter().all(|x| x.is_finite())) {
-        return Err(ShapeError::VertexNotFinite { vertex });
+        return Err(MeshError::VertexNotFinite { vertex });
     }
     let is_broken = |triangle: &[u32; 3]| triangle.iter().any(|&index| index as usize >= positions.len());
     if let Some(triangle) = indices.iter().position(is_broken) {
         let index = indices[triangle].iter().copied().max().unwrap_or(0);
-        return Err(ShapeError::NoSuchVertex { triangle, index, vertices: positions.len() });
+        return Err(MeshError::NoSuchVertex { triangle, index, vertices: positions.len() });
     }
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for corner in indices.iter().flatten() {
@@ -101,7 +102,7 @@ fn check(grid: Grid<3>, positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<
             (low[axis], high[axis]) = (low[axis].min(x), high[axis].max(x));
         }
     }
-    super::check_clearance(low, high, grid.cells())
+    Ok(super::check_clearance(low, high, grid.cells())?)
 }
 
 /// The pieces around which some node lies outside: where bodies cross, what one has inside the other is no part of the

@@ -3,6 +3,8 @@
 #[cfg(feature = "surfaces")]
 use super::read::indices;
 use super::read::{bytes, items, numbers, property, whole, wrong};
+#[cfg(feature = "surfaces")]
+use crate::error::MeshError;
 use crate::error::{Error, ShapeError};
 use crate::shape::Shape;
 #[cfg(feature = "surfaces")]
@@ -65,7 +67,7 @@ pub(super) fn read_shape(name: &'static str, shape: &JsValue) -> Result<Given, J
             let positions = numbers(&format!("{owner}'s positions"), &field("positions")?)?;
             let triangles = indices(&format!("{owner}'s indices"), &field("indices")?)?;
             let length = |array: &'static str, found: usize, needed: &'static str| -> Result<(), JsError> {
-                let problem = ShapeError::MeshLength { name: array, found, needed };
+                let problem = ShapeError::Unsupported(MeshError::Length { name: array, found, needed }.to_string());
                 if found.is_multiple_of(3) { Ok(()) } else { Err(Error::Shape { shape: name, problem }.into()) }
             };
             length("positions", positions.len(), "every vertex has three, x, y and z")?;

@@ -36,13 +36,17 @@ pub(super) trait Judge<const D: usize> {
 pub(super) struct State<const D: usize, V, J> {
     pub search: Search<D>,
     source: Source,
-    /// Reference and template, and the level they were taken from.
-    shown: [V; 2],
-    shown_level: u32,
-    /// What matches are measured by on that level.
-    outlines: Outlines<D>,
+    look: Look<D, V>,
     /// What the verdict needs to know of the shapes; looked at when there is something to judge.
     judge: Option<J>,
+}
+
+/// Reference and template on one level.
+struct Look<const D: usize, V> {
+    level: u32,
+    shown: [V; 2],
+    /// What matches are measured by.
+    outlines: Outlines<D>,
 }
 
 /// What a registration was made of, so that a part of it can be replaced.
@@ -81,10 +85,8 @@ impl<const D: usize, V: Shown<D>, J: Judge<D>> State<D, V, J> {
     pub async fn new(source: Source) -> Result<Self, JsError> {
         let (settings, pins, [reference, template]) = source.prepare::<D, V>()?;
         let search = Search::with_pins(reference, template, settings, &pins).await?;
-        let outlines = Outlines::new(search.reference(), search.template());
-        let shown = [V::of(search.reference()), V::of(search.template())];
-        let shown_level = search.progress().level;
-        Ok(Self { search, source, shown, shown_level, outlines, judge: None })
+        let look = Look::at(&search);
+        Ok(Self { search, source, look, judge: None })
     }
 
     pub async fn update(&mut self, change: Change) -> Result<JsValue, JsError> {
@@ -99,7 +101,7 @@ impl<const D: usize, V: Shown<D>, J: Judge<D>> State<D, V, J> {
         self.search.update(reference, template, settings, &pins).await?;
         self.source = source;
         self.judge = None;
-        self.look();
+        self.look = Look::at(&self.search);
         Ok(self.status())
     }
 
@@ -149,32 +151,34 @@ impl<const D: usize, V: Shown<D>, J: Judge<D>> State<D, V, J> {
 
     /// Takes reference and template from the current level.
     pub fn follow(&mut self) {
-        if self.shown_level != self.search.progress().level {
-            self.look();
+        if self.look.level != self.search.progress().level {
+            self.look = Look::at(&self.search);
         }
     }
 
     /// Reference and template as they were last taken.
     pub fn shown(&self) -> &[V; 2] {
-        &self.shown
-    }
-
-    fn look(&mut self) {
-        self.shown_level = self.search.progress().level;
-        let shapes = [self.search.reference(), self.search.template()];
-        self.outlines = Outlines::new(shapes[0], shapes[1]);
-        self.shown = shapes.map(V::of);
+        &self.look.shown
     }
 
     fn status(&mut self) -> JsValue {
         self.follow();
-        let report = self.outlines.report(self.search.displacement());
+        let report = self.look.outlines.report(self.search.displacement());
         let progress = self.search.progress();
         let verdict = progress.stop.map(|_| {
             let [reference, template] = self.search.shapes();
             self.judge.get_or_insert_with(|| J::of(reference, template)).judge(progress.level, &report)
         });
         status(&progress, &report, verdict)
+    }
+}
+
+impl<const D: usize, V: Shown<D>> Look<D, V> {
+    #[inline(never)]
+    fn at(search: &Search<D>) -> Self {
+        let shapes = [search.reference(), search.template()];
+        let outlines = Outlines::new(shapes[0], shapes[1]);
+        Self { level: search.progress().level, shown: shapes.map(V::of), outlines }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::solids::{CENTRE, Mesh, ball_mesh, inside_out, mesh, together};
 use glam::DVec3;
 use thinshell::distance::SignedDistance;
-use thinshell::error::ShapeError;
+use thinshell::error::{MeshError, ShapeError};
 use thinshell::grid::Grid;
 
 const CELLS: usize = 32;
@@ -12,7 +12,7 @@ fn distance((positions, triangles): &Mesh) -> SignedDistance<3> {
     SignedDistance::from_mesh(Grid::new(CELLS), positions, triangles).expect("a valid mesh")
 }
 
-fn refusal((positions, triangles): &Mesh) -> ShapeError {
+fn refusal((positions, triangles): &Mesh) -> MeshError {
     SignedDistance::from_mesh(Grid::new(CELLS), positions, triangles).expect_err("no valid mesh")
 }
 
@@ -131,7 +131,7 @@ fn an_open_mesh_is_refused_with_the_place_of_its_hole() {
     let (positions, mut triangles) = ball_mesh(3, CENTRE, 0.3);
     triangles.retain(|triangle| triangle.iter().any(|&corner| positions[corner as usize][2] < 0.7));
     let open = refusal(&(positions, triangles));
-    let ShapeError::OpenMesh { at, edges } = &open else { panic!("{open}") };
+    let MeshError::Open { at, edges } = &open else { panic!("{open}") };
     assert!(*edges > 10 && at[2] > 0.65 && (at[0] - 0.5).abs() < 0.01, "{open}");
     assert!(open.to_string().starts_with("is open: "), "{open}");
 }
@@ -139,28 +139,31 @@ fn an_open_mesh_is_refused_with_the_place_of_its_hole() {
 #[test]
 fn what_is_no_mesh_is_refused_with_the_reason() {
     let (positions, triangles) = ball_mesh(3, CENTRE, 0.3);
-    assert_eq!(refusal(&(vec![], vec![])), ShapeError::NoTriangles);
-    assert_eq!(refusal(&(positions.clone(), vec![])), ShapeError::NoTriangles);
+    assert_eq!(refusal(&(vec![], vec![])), MeshError::NoTriangles);
+    assert_eq!(refusal(&(positions.clone(), vec![])), MeshError::NoTriangles);
     for poison in [f64::NAN, f64::INFINITY] {
         let mut broken = positions.clone();
         broken[17][1] = poison;
-        assert_eq!(refusal(&(broken, triangles.clone())), ShapeError::VertexNotFinite { vertex: 17 });
+        assert_eq!(refusal(&(broken, triangles.clone())), MeshError::VertexNotFinite { vertex: 17 });
     }
     let mut wild = triangles.clone();
     wild[5][1] = 1_000_000;
     let vertices = positions.len();
-    let expected = ShapeError::NoSuchVertex { triangle: 5, index: 1_000_000, vertices };
+    let expected = MeshError::NoSuchVertex { triangle: 5, index: 1_000_000, vertices };
     assert_eq!(refusal(&(positions.clone(), wild)), expected);
     // A ball seen from both sides, and a sheet.
     let both = together((positions.clone(), triangles.clone()), inside_out((positions.clone(), triangles)));
-    assert_eq!(refusal(&both), ShapeError::NoVolume);
+    assert_eq!(refusal(&both), MeshError::NoVolume);
     let sheet = vec![[0.2, 0.2, 0.5], [0.8, 0.2, 0.5], [0.5, 0.8, 0.5]];
-    assert_eq!(refusal(&(sheet, vec![[0, 1, 2], [0, 2, 1]])), ShapeError::NoVolume);
-    assert_eq!(refusal(&ball_mesh(2, CENTRE + 0.01, 0.004)), ShapeError::TooSmall { cells: CELLS });
+    assert_eq!(refusal(&(sheet, vec![[0, 1, 2], [0, 2, 1]])), MeshError::NoVolume);
+    assert_eq!(refusal(&ball_mesh(2, CENTRE + 0.01, 0.004)), ShapeError::TooSmall { cells: CELLS }.into());
     let border = refusal(&ball_mesh(3, CENTRE, 0.48));
-    assert!(matches!(border, ShapeError::NearBorder { needed: 2.0, .. }), "{border}");
+    assert!(matches!(border, MeshError::Shape(ShapeError::NearBorder { needed: 2.0, .. })), "{border}");
     let outside = refusal(&ball_mesh(3, DVec3::new(0.5, 0.5, 0.9), 0.2));
-    assert!(matches!(outside, ShapeError::OutsideBox { side: "back", coordinate: "z", .. }), "{outside}");
+    assert!(
+        matches!(outside, MeshError::Shape(ShapeError::OutsideBox { side: "back", coordinate: "z", .. })),
+        "{outside}"
+    );
 }
 
 #[test]
@@ -169,6 +172,6 @@ fn a_plate_between_the_nodes_is_refused_where_it_is_thinnest() {
         cuboid([0.2, 0.2, 0.51], [0.8, 0.8, 0.525]),
         ball_mesh(3, DVec3::new(0.2, 0.2, 0.515), 0.05),
     ));
-    let ShapeError::TooThinAt { share, at, .. } = &thin else { panic!("{thin}") };
+    let MeshError::TooThin { share, at, .. } = &thin else { panic!("{thin}") };
     assert!(*share < 1.0 / 3.0 && at[0] + at[1] > 0.6, "{thin}");
 }

@@ -18,7 +18,7 @@ const LEAST: f64 = 1e-4;
 
 const LANES: usize = F32x4::LANES;
 
-/// ∫ over the unit cell, by corners A and B.
+/// ∫ over the unit cell, by corners A and B. In the plane, where they are not needed, zero.
 pub(super) struct CellIntegrals<const D: usize> {
     /// ∇N_A·∇N_B.
     dots: [[f64; MAX_CORNERS]; MAX_CORNERS],
@@ -30,6 +30,9 @@ impl<const D: usize> CellIntegrals<D> {
     pub fn new(rule: &Rule<D, 2>) -> Self {
         let mut integrals =
             Self { dots: [[0.0; MAX_CORNERS]; MAX_CORNERS], crosses: [[[0.0; D]; MAX_CORNERS]; MAX_CORNERS] };
+        if D != 3 {
+            return integrals;
+        }
         for point in 0..Rule::<D, 2>::POINTS {
             let mut slopes = [[0.0; D]; MAX_CORNERS];
             for axis in 0..D {

@@ -1,6 +1,6 @@
 //! Triangles as they come, made a closed surface.
 
-use crate::error::ShapeError;
+use crate::error::MeshError;
 use crate::hypersurface::{Hypersurface, measure};
 use crate::numbers::Numbers;
 use glam::DVec3;
@@ -21,7 +21,7 @@ pub(super) struct Mesh {
 }
 
 /// Joins positions, drops triangles without area, and closes small holes by cones.
-pub(super) fn closed(positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<Mesh, ShapeError> {
+pub(super) fn closed(positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<Mesh, MeshError> {
     let (mut points, numbers) = joined(positions);
     let mut triangles: Vec<[u32; 3]> = indices
         .iter()
@@ -94,7 +94,7 @@ impl Edges {
 }
 
 /// Adds a cone over each rim, if they are short.
-fn close(points: &mut Vec<[f64; 3]>, triangles: &mut Vec<[u32; 3]>, rim: &[[u32; 2]]) -> Result<(), ShapeError> {
+fn close(points: &mut Vec<[f64; 3]>, triangles: &mut Vec<[u32; 3]>, rim: &[[u32; 2]]) -> Result<(), MeshError> {
     let place = |number: u32| DVec3::from(points[number as usize]);
     let length = |edge: &[u32; 2]| place(edge[0]).distance(place(edge[1]));
     let area: f64 = triangles.iter().map(|triangle| measure(&triangle.map(|corner| points[corner as usize]))).sum();
@@ -104,7 +104,7 @@ fn close(points: &mut Vec<[f64; 3]>, triangles: &mut Vec<[u32; 3]>, rim: &[[u32;
         let rim_of = |hole: &&Vec<[u32; 2]>| hole.iter().map(length).sum::<f64>();
         let largest = holes.iter().max_by(|a, b| rim_of(a).total_cmp(&rim_of(b)));
         let at = largest.map_or([0.5; 3], |hole| middle(points, hole));
-        return Err(ShapeError::OpenMesh { edges: rim.len(), at });
+        return Err(MeshError::Open { edges: rim.len(), at });
     }
     for hole in holes {
         let tip = points.len() as u32;

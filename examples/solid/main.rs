@@ -116,7 +116,7 @@ fn pair(random: &mut Random) -> (Bumpy, Bumpy, DQuat) {
         .map(|(towards, height)| ((*towards + 0.15 * direction(random)).normalize(), height * random.between(0.8, 1.2)))
         .collect();
     let turn = DQuat::from_axis_angle(direction(random), random.between(0.0, TURN_DEGREES).to_radians());
-    (Bumpy { radius: 0.2, bumps }, Bumpy { radius: 0.2, bumps: changed }, turn)
+    (Bumpy::reaching(bumps, 0.32), Bumpy::reaching(changed, 0.32), turn)
 }
 
 /// Hollows are shallower than bumps are high, but there are some.

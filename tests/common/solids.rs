@@ -49,6 +49,16 @@ pub struct Bumpy {
 impl Bumpy {
     const SHARPNESS: f64 = 6.0;
 
+    /// With the radius that takes the farthest bump to `reach`.
+    pub fn reaching(bumps: Vec<(DVec3, f64)>, reach: f64) -> Self {
+        let farthest = bumps.iter().map(|(towards, _)| Self::bulge(&bumps, *towards)).fold(0.0, f64::max);
+        Self { radius: reach / (1.0 + farthest), bumps }
+    }
+
+    fn bulge(bumps: &[(DVec3, f64)], direction: DVec3) -> f64 {
+        bumps.iter().map(|(towards, height)| height * (Self::SHARPNESS * (direction.dot(*towards) - 1.0)).exp()).sum()
+    }
+
     pub fn turned(self, turn: DQuat) -> impl Fn(DVec3) -> f64 {
         let back = DMat3::from_quat(turn.inverse());
         move |x| {
@@ -58,11 +68,7 @@ impl Bumpy {
                 return -self.radius;
             }
             let direction = local / length;
-            let bulge: f64 = self
-                .bumps
-                .iter()
-                .map(|(towards, height)| height * (Self::SHARPNESS * (direction.dot(*towards) - 1.0)).exp())
-                .sum();
+            let bulge = Self::bulge(&self.bumps, direction);
             length - self.radius * (1.0 + bulge)
         }
     }

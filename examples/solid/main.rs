@@ -135,11 +135,12 @@ fn direction(random: &mut Random) -> DVec3 {
 }
 
 fn known_correspondence(from: &str, to: &str, finest: u32) {
-    let [(positions, triangles), (target, others)] = [from, to].map(|path| match ply::read(path) {
+    let [(mut positions, triangles), (mut target, others)] = [from, to].map(|path| match ply::read(path) {
         Ok(mesh) => mesh,
         Err(problem) => panic!("{path}: {problem}"),
     });
     assert_eq!(positions.len(), target.len(), "both meshes have as many vertices");
+    fit([&mut positions, &mut target]);
     let grid = Grid::of_level(finest);
     let begin = Instant::now();
     let shapes = [(&positions, &triangles), (&target, &others)]
@@ -164,4 +165,15 @@ fn known_correspondence(from: &str, to: &str, finest: u32) {
         "mismatch {:.3} / {:.3} h, cover {:.3} / {:.3} h, least determinant {:.3}",
         mismatch.mean, mismatch.max, cover.mean, cover.max, end.least_determinant
     );
+}
+
+/// Moves and scales both alike, so that the box around them is in the middle and has room at the border.
+fn fit(shapes: [&mut Vec<[f64; 3]>; 2]) {
+    const LONGEST: f64 = 0.72;
+    let all = || shapes.iter().flat_map(|shape| shape.iter()).map(|point| DVec3::from(*point));
+    let (low, high) = (all().fold(DVec3::INFINITY, DVec3::min), all().fold(DVec3::NEG_INFINITY, DVec3::max));
+    let scale = LONGEST / (high - low).max_element();
+    for point in shapes.into_iter().flatten() {
+        *point = (0.5 + scale * (DVec3::from(*point) - low.midpoint(high))).to_array();
+    }
 }

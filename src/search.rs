@@ -20,8 +20,8 @@ use crate::inverse::invert;
 use crate::minimize::Stop;
 use crate::report::report;
 use crate::settings::{Alignment, Settings};
-use guide::{can_guide, guide, outlines};
-use missed::missed;
+use guide::{can_guide, guide};
+use missed::{have_as_many_outlines, missed};
 use plan::{Fit, Plan};
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -29,8 +29,8 @@ use std::rc::Rc;
 /// Iterations that refine the inverse of an exchanged match: more would start to crumple the shell, which is what the
 /// exchange avoids.
 const REFINEMENT: usize = 10;
-/// Iterations of sharpening.
-const SHARPENING: usize = 25;
+/// Iterations of a round of sharpening: then it is looked again for what is still missed.
+const SHARPENING: usize = 12;
 /// Iterations on the finest level after which a run is judged: those that take more creep, and sharpening gets farther.
 const EXPLORATION: usize = 40;
 
@@ -100,7 +100,7 @@ impl<const D: usize> Search<D> {
             Alignment::None => Plan::single(),
             Alignment::Similarity => Plan::of(&shapes[0], &shapes[1]),
         };
-        let approach = plan.next(None).expect("a plan has a first approach");
+        let approach = plan.next(None, None).expect("a plan has a first approach");
         let mut run = Cascade::begin(in_direction(&shapes, approach), tied(&pins, approach), settings).await?;
         if !plan.is_single() {
             run.limit(settings.minimizer.iterations(EXPLORATION));
@@ -174,14 +174,15 @@ impl<const D: usize> Search<D> {
             self.stop = Some(stop);
             return;
         }
+        let mut last = None;
         if self.approach.is_exchanged() {
             if self.continue_exchanged().await {
                 return;
             }
         } else {
-            self.consider();
+            last = Some(self.consider());
         }
-        while let Some(approach) = self.plan.next(self.best.as_ref().map(|(fit, _)| fit)) {
+        while let Some(approach) = self.plan.next(last.as_ref(), self.best.as_ref().map(|(fit, _)| fit)) {
             if self.begin(approach).await {
                 return;
             }
@@ -209,25 +210,21 @@ impl<const D: usize> Search<D> {
         self.sharpen(sharper, displacement).await
     }
 
-    /// Keeps the present run's result if it is the best so far.
-    fn consider(&mut self) {
+    /// Judges the present run's result, and keeps it if it is the best so far.
+    fn consider(&mut self) -> Fit {
         let fit = self.fit();
         if self.best.as_ref().is_none_or(|(best, _)| fit.cost() < best.cost()) {
             self.best = Some((fit, self.run.displacement().to_vec()));
         }
+        fit
     }
 
     /// Whether the approach could be begun.
     async fn begin(&mut self, approach: Approach) -> bool {
         let settings = approach.settings(&self.settings);
         if let Approach::Sharpened(_) = approach {
-            // A round may be worse by one measure that the next one mends.
-            let present = self.run.displacement();
-            let displacement = match (&self.best, self.approach) {
-                (_, Approach::Sharpened(_)) => present.to_vec(),
-                (Some((_, best)), _) => best.clone(),
-                (None, _) => return false,
-            };
+            // Of the last run, even if an earlier one was better: a round may lose by one measure what the next one mends.
+            let displacement = self.run.displacement().to_vec();
             return self.sharpen(approach, displacement).await;
         }
         if approach.is_guided() && !can_guide(&self.shapes) {
@@ -265,8 +262,7 @@ impl<const D: usize> Search<D> {
             self.missed.clear();
         }
         // What one shape has and the other lacks cannot be reached: the shell would only be torn towards it.
-        let parts = self.shapes.each_ref().map(|shape| outlines(shape).len());
-        if parts[0] == parts[1] {
+        if have_as_many_outlines(&self.shapes) {
             self.missed = missed(&in_direction(&self.shapes, approach), &displacement, &self.missed);
         }
         ties.missed = self.missed.as_slice().into();

@@ -41,7 +41,7 @@ pub(super) fn can_guide<const D: usize>(shapes: &[Rc<SignedDistance<D>>; 2]) -> 
 }
 
 /// The closed curves of a shape in the plane; none of a surface.
-pub(super) fn outlines<const D: usize>(shape: &SignedDistance<D>) -> Vec<Vec<DVec2>> {
+fn outlines<const D: usize>(shape: &SignedDistance<D>) -> Vec<Vec<DVec2>> {
     if D == 2 { zero_set(Grid::new(shape.grid().cells()), shape.values()) } else { Vec::new() }
 }
 

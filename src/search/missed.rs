@@ -64,6 +64,22 @@ pub(super) fn missed<const D: usize>(
     chosen
 }
 
+/// The closed curves, outer ones and holes, that each of two shapes in the plane consists of are as many. Of surfaces it is
+/// supposed.
+pub(super) fn have_as_many_outlines<const D: usize>(shapes: &[Rc<SignedDistance<D>>; 2]) -> bool {
+    let [first, second] = shapes.each_ref().map(|shape| outlines(&shape.outline()));
+    first == second
+}
+
+fn outlines<const D: usize>(outline: &Hypersurface<D>) -> usize {
+    if D != 2 {
+        return 1;
+    }
+    let points = outline.points().iter().map(|point| [point[0], point[1]]).collect();
+    let segments = outline.simplices().iter().map(|ends| [ends[0], ends[1]]).collect();
+    Hypersurface::<2>::new(points, segments).loops().len()
+}
+
 fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     (0..D).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
@@ -115,6 +131,26 @@ mod tests {
             let tied = tied.unwrap_or_else(|| panic!("corner {corner} is not among the longest of {pins:?}"));
             assert!((DVec2::from(tied.reference) - 0.5).distance(0.3 * direction) < 0.004, "{tied:?}");
         }
+    }
+
+    /// A disc on a neck much thinner than a cell, which the grid's own contour cuts off.
+    #[test]
+    fn outlines_are_counted_as_they_were_drawn() {
+        let thin = 0.1 / CELLS as f64;
+        let head = (1..=9).map(|k| DVec2::new(0.5, 0.6) + 0.15 * DVec2::from_angle(TAU * (f64::from(k) / 10.0 - 0.25)));
+        let foot = [[0.5 - thin, 0.3], [0.3, 0.3], [0.3, 0.2], [0.7, 0.2], [0.7, 0.3], [0.5 + thin, 0.3]];
+        // Between two columns of nodes.
+        let aside = DVec2::new(0.5 / CELLS as f64, 0.0);
+        let outline: Vec<DVec2> = head.chain(foot.map(DVec2::from)).map(|point| point + aside).collect();
+        let grid = Grid::new(CELLS);
+        let shape = Rc::new(SignedDistance::from_loops(grid, &[outline]).expect("a valid shape"));
+        assert_eq!(crate::contour::zero_set(grid, shape.values()).len(), 2);
+        assert!(have_as_many_outlines(&[shape.clone(), polygon(4, 0.3)]));
+        let two = [0.3, 0.7].map(|x| {
+            [[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]].map(|at| DVec2::new(x, 0.5) + 0.1 * DVec2::from(at)).to_vec()
+        });
+        let two = Rc::new(SignedDistance::from_loops(grid, &two).expect("a valid shape"));
+        assert!(!have_as_many_outlines(&[shape, two]));
     }
 
     #[test]

@@ -16,19 +16,21 @@ const SHORTER: f64 = 0.9;
 const GOOD_MISMATCH: f64 = 0.5;
 const GOOD_COVER: f64 = 1.0;
 const GOOD_MEASURE: f64 = 1.1;
-/// One round of sharpening is worth its while if it is farther than this, though good.
+/// A good match is sharpened, in a few rounds at most, until it is as close as this.
 const FINE_MISMATCH: f64 = 0.25;
 const FINE_COVER: f64 = 0.5;
+const FINE_SHARPENINGS: u8 = 3;
 /// In cells of the level before the finest.
 const HOPELESS_COST: f64 = 2.0;
 /// An exchanged match is worth inverting if it is as close as this: errors of φ⁻¹ are stretched by φ.
 const INVERTED_MISMATCH: f64 = 1.0;
 const INVERTED_COVER: f64 = 2.0;
-/// A round of sharpening takes the thickness and the penalty of a grid with an eighth of the spacing; those after it of
-/// an eighth of that.
-const SHARPER: f64 = 8.0;
-const SHARPEST: i32 = 2;
-const SHARPENINGS: u8 = 3;
+/// The first round of sharpening takes the thickness and the penalty of a grid with so much finer a spacing, each one
+/// after it of `SHARPER` times that, up to `SHARPEST`.
+const SHARP: f64 = 32.0;
+const SHARPER: f64 = 2.0;
+const SHARPEST: f64 = 512.0;
+const SHARPENINGS: u8 = 6;
 /// Matches that are worse than this are not sharpened: what they miss is not detail, or they have crumpled.
 const SHARPENED_COST: f64 = 6.0;
 const SHARPENED_MEASURE: f64 = 1.25;
@@ -67,9 +69,9 @@ impl Approach {
     pub(super) fn settings(self, settings: &Settings) -> Settings {
         match self {
             Self::Sharpened(_) | Self::SharpenedExchanged => {
-                let rounds = if let Self::Sharpened(rounds) = self { rounds } else { 1 };
-                let sharper = SHARPER.powi(i32::from(rounds).min(SHARPEST));
-                Settings { penalty: sharper * settings.penalty, thickness: settings.thickness / sharper, ..*settings }
+                let round = if let Self::Sharpened(round) = self { round } else { 1 };
+                let finer = (SHARP * SHARPER.powi(i32::from(round) - 1)).min(SHARPEST);
+                Settings { penalty: finer * settings.penalty, thickness: settings.thickness / finer, ..*settings }
             }
             Self::Direct | Self::Exchanged | Self::Inverted | Self::Guided | Self::GuidedExchanged => *settings,
         }
@@ -180,21 +182,71 @@ impl Plan {
         self.single
     }
 
-    /// The next approach; none if the best match so far is good, and fine where that is cheap, or nothing is left to try.
-    pub fn next(&mut self, best: Option<&Fit>) -> Option<Approach> {
-        if let Some(best) = best {
-            if best.is_good() {
-                let sharpen = self.sharpened == 0 && !best.is_fine();
-                self.sharpened += u8::from(sharpen);
-                return sharpen.then_some(Approach::Sharpened(self.sharpened));
-            }
+    /// The next approach, after the last run's result and the best so far; none if that is good, and fine or no longer
+    /// worth sharpening, or nothing is left to try.
+    pub fn next(&mut self, last: Option<&Fit>, best: Option<&Fit>) -> Option<Approach> {
+        let good = best.filter(|best| best.is_good());
+        let sharpen = match (good, last) {
+            (Some(best), _) => !best.is_fine() && self.sharpened < FINE_SHARPENINGS,
             // What crumples would crumple more.
-            if best.is_worth_sharpening() && self.sharpened < SHARPENINGS {
-                self.sharpened += 1;
-                return Some(Approach::Sharpened(self.sharpened));
-            }
-            self.sharpened = 0;
+            (None, Some(last)) => last.is_worth_sharpening() && self.sharpened < SHARPENINGS,
+            (None, None) => false,
+        };
+        if sharpen {
+            self.sharpened += 1;
+            return Some(Approach::Sharpened(self.sharpened));
         }
-        self.left.pop_front()
+        self.sharpened = 0;
+        if good.is_some() { None } else { self.left.pop_front() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FINE: Fit = Fit { approach: Approach::Direct, mismatch: 0.1, cover: 0.1, measure: 1.0 };
+    const GOOD: Fit = Fit { mismatch: 0.4, ..FINE };
+    const BLUNT: Fit = Fit { cover: 3.0, ..GOOD };
+    const CRUMPLED: Fit = Fit { measure: 1.5, ..BLUNT };
+
+    fn plan() -> Plan {
+        Plan { left: [Approach::Guided, Approach::Exchanged].into(), single: false, sharpened: 0 }
+    }
+
+    #[test]
+    fn a_fine_match_ends_the_search() {
+        assert_eq!(plan().next(Some(&FINE), Some(&FINE)), None);
+    }
+
+    #[test]
+    fn a_good_match_is_sharpened_until_it_is_fine_or_three_times() {
+        let mut plan = plan();
+        for round in 1..=FINE_SHARPENINGS {
+            assert_eq!(plan.next(Some(&GOOD), Some(&GOOD)), Some(Approach::Sharpened(round)));
+        }
+        assert_eq!(plan.next(Some(&GOOD), Some(&GOOD)), None);
+    }
+
+    #[test]
+    fn what_misses_detail_is_sharpened_before_something_else_is_tried() {
+        let mut plan = plan();
+        for round in 1..=SHARPENINGS {
+            assert_eq!(plan.next(Some(&BLUNT), Some(&BLUNT)), Some(Approach::Sharpened(round)));
+        }
+        assert_eq!(plan.next(Some(&BLUNT), Some(&BLUNT)), Some(Approach::Guided));
+        assert_eq!(plan.next(Some(&BLUNT), Some(&BLUNT)), Some(Approach::Sharpened(1)), "another run's result");
+    }
+
+    #[test]
+    fn what_crumples_is_not_sharpened_even_if_an_earlier_result_was_better() {
+        assert_eq!(plan().next(Some(&CRUMPLED), Some(&BLUNT)), Some(Approach::Guided));
+    }
+
+    #[test]
+    fn each_round_of_sharpening_takes_twice_the_penalty_of_the_one_before_up_to_a_limit() {
+        let settings = Settings::default();
+        let penalty = |round| Approach::Sharpened(round).settings(&settings).penalty / settings.penalty;
+        assert_eq!([1, 2, 3, 4, 5, 6].map(penalty), [32.0, 64.0, 128.0, 256.0, 512.0, 512.0]);
     }
 }

@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::*;
 
 /// This module is the first that a page loads: what surfaces need is in another.
 #[cfg(not(feature = "surfaces"))]
-const ELSEWHERE: &str = "surfaces are registered by the package wasm-solid, this one is for curves";
+const ELSEWHERE: &str = "surfaces are registered by the module for surfaces, this one is for curves";
 
 const KINDS: &str = "\"curves\", \"levelSet\", \"mask\" or \"mesh\"";
 

@@ -20,7 +20,6 @@ export function Actions({ session }: { session: Session }) {
     };
     return (
       <div class="group next">
-        <span class="count">{actions.count(waiting.points.length)}</span>
         <button type="button" onClick={then(() => waiting.finish())}>
           {actions.close}
         </button>

@@ -18,7 +18,6 @@ export const guides = {
 };
 
 export const actions = {
-  count: points,
   close: "Close outline",
   back: "Delete last",
   giveUp: "Give up",

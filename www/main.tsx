@@ -18,12 +18,13 @@ import { Caption, StatusPanel } from "./controls/StatusPanel";
 import { Terms } from "./controls/Terms";
 import { Problem, Toolbar } from "./controls/Toolbar";
 import { ViewPicker } from "./controls/ViewPicker";
-import { choose, view } from "./controls/viewing";
+import { choose, fetchLocal, view } from "./controls/viewing";
 import { moduleAt } from "./engine";
 import { open } from "./link/open";
 import { Memory } from "./memory/memory";
 import { whenIdle } from "./offline/idle";
 import { changedFields, Session } from "./session";
+import { fetchKit } from "./tools/kit";
 import { fetchHands } from "./tools/tool";
 import "./style.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
@@ -149,12 +150,14 @@ hands.then(
     session.problem.value = problem.message;
   },
 );
-// While developing, nothing is to come from yesterday.
-if (import.meta.env.PROD) {
-  whenIdle(async () => {
-    // Without the network on a first visit there is nothing to keep.
-    const part = await import("./controls/Update").catch(() => null);
-    news.value = part?.Update ?? null;
-    await part?.keepOffline();
-  });
-}
+whenIdle(async () => {
+  // A pointer over the result, or a first stroke, will want these. Where they do not come now, they are asked for again
+  // then, and their absence is told.
+  await Promise.allSettled([fetchLocal(), fetchKit()]);
+  // While developing, nothing is to come from yesterday.
+  if (!import.meta.env.PROD) return;
+  // Without the network on a first visit there is nothing to keep.
+  const part = await import("./controls/Update").catch(() => null);
+  news.value = part?.Update ?? null;
+  await part?.keepOffline();
+});

@@ -111,6 +111,12 @@ export async function choose(page: Page, label: string, option: string): Promise
 /** Playwright's own word where a test keeps the service worker away. */
 export const BLOCKED = "Service Worker registration blocked by Playwright";
 
+/** When the page has fetched the last of what it fetches by itself; to be called before it is opened. */
+export async function loaded(page: Page): Promise<void> {
+  const last = await page.waitForResponse(/\/assets\/Update-[^/]*\.js$/);
+  await last.finished();
+}
+
 /** Collects what should not be there: console errors, uncaught errors, and requests from now on. */
 export function watch(page: Page): { errors: string[]; requests: string[] } {
   const seen = { errors: [] as string[], requests: [] as string[] };

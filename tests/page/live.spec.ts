@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { button, finished, picture, result, settings, surface, value, watch } from "./handles";
+import { button, finished, loaded, picture, result, settings, surface, value, watch } from "./handles";
 
 function live(page: Page) {
   return page.getByRole("switch", { name: "Live" });
@@ -29,7 +29,9 @@ async function take(page: Page): Promise<{ x: number; y: number; size: number }>
 
 test("switching Live on matches, and the match follows a dragged point and is refined on release", async ({ page }) => {
   const seen = watch(page);
+  const whole = loaded(page);
   await page.goto("./#v=1&preset=ellipse");
+  await whole;
   await expect(live(page)).toHaveAttribute("aria-checked", "false");
   await live(page).click();
   await expect(live(page)).toHaveAttribute("aria-checked", "true");

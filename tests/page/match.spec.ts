@@ -6,6 +6,7 @@ import {
   clear,
   ellipse,
   finished,
+  loaded,
   paint,
   picture,
   result,
@@ -17,7 +18,9 @@ import {
 
 test("two curves drawn with the mouse are matched within half a cell and without a fold", async ({ page }) => {
   const seen = watch(page);
+  const whole = loaded(page);
   await page.goto("./");
+  await whole;
   await page.waitForLoadState("networkidle");
   seen.requests.length = 0;
 

@@ -6,10 +6,9 @@ import type { ResultScene } from "../view/result";
 import { missedBy } from "../view/unreached";
 import { en } from "../words/en";
 import { resultState, staleness } from "../words/said";
-import { fetched } from "./fetched";
 import { MatchCanvas } from "./MatchCanvas";
 import { Readout } from "./Readout";
-import { guess, lazy, limitOf, local, past, probe, view } from "./viewing";
+import { fetchLocal, guess, lazy, limitOf, local, past, probe, view } from "./viewing";
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */
 export function ResultPanel({ session }: { session: Session }) {
@@ -28,14 +27,9 @@ export function ResultPanel({ session }: { session: Session }) {
   const drawn = useCallback(() => session.drawn(), [session]);
   useSignalEffect(() => {
     if (!probe.value || local.peek()) return;
-    fetched(en.result.numbers, () => import("../view/local")).then(
-      (part) => {
-        local.value = part;
-      },
-      (problem: Error) => {
-        session.problem.value = problem.message;
-      },
-    );
+    fetchLocal().catch((problem: Error) => {
+      session.problem.value = problem.message;
+    });
   });
   const Legend = lazy.value?.legends.Legend;
   const outdated = session.outdated.value;

@@ -8,6 +8,7 @@ import type { Theme } from "../view/palette";
 import type { Probe } from "../view/probe";
 import type { Picture } from "../view/raster";
 import { drawMissed, drawResult, type Match, type ResultScene } from "../view/result";
+import { en } from "../words/en";
 import { fetched } from "./fetched";
 
 export const view = signal<View>("grid");
@@ -17,6 +18,11 @@ export const probe = signal<Probe | null>(null);
 
 /** What gives the numbers there, once it is there. */
 export const local = signal<typeof import("../view/local") | null>(null);
+
+/** Throws a sentence when it cannot be had. */
+export async function fetchLocal(): Promise<void> {
+  local.value ??= await fetched(en.result.numbers, () => import("../view/local"));
+}
 
 /** An iteration that is looked at again, and what the picture says of it. */
 export const past = signal<{ readonly match: Match; readonly words: string } | null>(null);

@@ -51,28 +51,33 @@ export type Request =
   /** The page has taken the last frame; until then the worker sends no other, so that no queue builds up. */
   | { readonly kind: "taken"; readonly run: number };
 
-export type Reply =
+/** What every frame holds, whatever its picture. */
+export type AnyFrame = {
+  readonly kind: "frame";
+  readonly run: number;
+  readonly status: Status;
+  /** The energies of this level's identity, where they are known: what is there before anything is deformed. */
+  readonly rest: Status["energies"] | null;
+  /** Every iteration since the last frame, this one's included. */
+  readonly trail: readonly Iteration[];
+};
+
+/** A frame of curves. */
+export type FrameReply = AnyFrame & {
+  /** φ at the nodes of the level, x y a node, x fastest. */
+  readonly deformation: Float64Array;
+  readonly curves: Curves;
+};
+
+export type Reply<Frame extends AnyFrame = FrameReply> =
   /** The worker has the solver. */
   | { readonly kind: "ready" }
   /** The worker has let go of what it did before and turns to this run, or has ended it where it was to be cancelled. */
   | { readonly kind: "heard"; readonly run: number }
-  | {
-      readonly kind: "frame";
-      readonly run: number;
-      readonly status: Status;
-      /** The energies of this level's identity, where they are known: what is there before anything is deformed. */
-      readonly rest: Status["energies"] | null;
-      /** φ at the nodes of the level, x y a node, x fastest. */
-      readonly deformation: Float64Array;
-      readonly curves: Curves;
-      /** Every iteration since the last frame, this one's included. */
-      readonly trail: readonly Iteration[];
-    }
+  | Frame
   /** Null where the solver does not take the shapes: Match says why. */
   | { readonly kind: "inspected"; readonly inquiry: number; readonly inspection: Inspection | null }
   /** The solver does not take this input: a sentence with the remedy. */
   | { readonly kind: "refused"; readonly run: number; readonly message: string }
   /** The solver has failed and this worker is of no more use. */
   | { readonly kind: "crashed"; readonly message: string };
-
-export type FrameReply = Extract<Reply, { kind: "frame" }>;

@@ -4,12 +4,12 @@
  */
 
 import type { Engine } from "./engine";
-import type { FrameReply, Inspection, Reply, Request, Settings, Shape } from "./protocol";
+import type { AnyFrame, FrameReply, Inspection, Reply, Request, Settings, Shape } from "./protocol";
 
-export type SolverEvents = {
+export type SolverEvents<Frame extends AnyFrame = FrameReply> = {
   /** The worker has the solver. */
   ready(): void;
-  frame(frame: FrameReply): void;
+  frame(frame: Frame): void;
   refused(message: string): void;
   /** The answer to the last inquiry. */
   inspected?(inspection: Inspection | null): void;
@@ -25,9 +25,9 @@ export const PATIENCE_MILLIS = 400;
 const NO_WORKER =
   "The solver could not be started, because the browser refuses the page's worker. Reload the page, and let its security policy allow “worker-src blob:”; a browser extension may forbid workers, too";
 
-export class Solver {
+export class Solver<Frame extends AnyFrame = FrameReply> {
   private readonly engine: Engine;
-  private readonly events: SolverEvents;
+  private readonly events: SolverEvents<Frame>;
   /** None after a start that has failed: the next run tries again, so that tries never outnumber the user's. */
   private worker: Worker | null = null;
   /** The worker has the solver: it can run here. */
@@ -40,7 +40,7 @@ export class Solver {
   private unheard = false;
   private patience: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(engine: Engine, events: SolverEvents) {
+  constructor(engine: Engine, events: SolverEvents<Frame>) {
     this.engine = engine;
     this.events = events;
     this.spawn();
@@ -129,7 +129,7 @@ export class Solver {
       return;
     }
     this.worker = worker;
-    worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
+    worker.onmessage = ({ data }: MessageEvent<Reply<Frame>>) => this.receive(data);
     worker.onerror = (event) => {
       event.preventDefault();
       this.lost(event.message);
@@ -145,7 +145,7 @@ export class Solver {
     );
   }
 
-  private receive(reply: Reply): void {
+  private receive(reply: Reply<Frame>): void {
     if (reply.kind === "crashed") this.lost(reply.message);
     else if (reply.kind === "ready") {
       this.ready = true;

@@ -3,10 +3,11 @@
 import { pathToFileURL } from "node:url";
 import { heading, main, must, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
-import { buildWasm } from "./wasm.mjs";
+import { buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 export async function buildPage() {
   await buildWasm();
+  await buildSolidWasm();
   heading("page");
   await must(process.execPath, [vite, "build"]);
 }

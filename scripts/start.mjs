@@ -4,7 +4,7 @@
 import { buildPage } from "./build.mjs";
 import { main, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
-import { buildWasm } from "./wasm.mjs";
+import { buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 await main(async () => {
   checkNode();
@@ -15,6 +15,7 @@ await main(async () => {
   let urls;
   if (process.argv.includes("--dev")) {
     await buildWasm();
+    await buildSolidWasm();
     const server = await createServer({ root });
     await server.listen();
     urls = server.resolvedUrls;

@@ -77,6 +77,7 @@ const STEPS = {
     title: "build: the page and its size budget",
     check: async () => {
       await buildWasm();
+      await buildSolidWasm();
       return all(
         () => succeeds(...program("vite/bin/vite.js", ["build"])),
         async () => checkSize(),

@@ -24,6 +24,7 @@ import { open } from "./link/open";
 import { Memory } from "./memory/memory";
 import { whenIdle } from "./offline/idle";
 import { changedFields, Session } from "./session";
+import { enter, isSpace, space } from "./space/way";
 import { fetchKit } from "./tools/kit";
 import { fetchHands } from "./tools/tool";
 import "./style.css";
@@ -35,6 +36,7 @@ import SolverWorker from "./worker?worker&inline";
 const news = signal<FunctionComponent | null>(null);
 
 function App({ session }: { session: Session }) {
+  if (space.value) return <space.value.View />;
   return (
     <>
       <div class="sketches">
@@ -70,7 +72,7 @@ function App({ session }: { session: Session }) {
         <Caption session={session} />
       </section>
       <div class="choices">
-        <Presets session={session} />
+        <Presets session={session} onSurfaces={() => enterSpace(session)} />
         <Settings session={session} />
         <Later
           session={session}
@@ -121,10 +123,19 @@ function shortcuts(session: Session): void {
     const typing = event.target instanceof HTMLInputElement && event.target.type === "number";
     if (typing) return;
     const key = event.key.toLowerCase();
-    if (key === "z" && !event.shiftKey) session.undo();
-    else if ((key === "z" && event.shiftKey) || key === "y") session.redo();
+    const shown = space.value ?? session;
+    if (key === "z" && !event.shiftKey) shown.undo();
+    else if ((key === "z" && event.shiftKey) || key === "y") shown.redo();
     else return;
     event.preventDefault();
+  });
+}
+
+/** Surfaces in place of curves; the way back finds the curves as they were. */
+function enterSpace(session: Session): void {
+  void enter(session.problem, () => {
+    memory.remember(session.link());
+    if (!session.match.value) session.glance();
   });
 }
 
@@ -137,11 +148,21 @@ if (!root) throw new Error("index.html has no #app");
 // On its way while the page is drawn, which does not wait for it.
 const hands = fetchHands();
 const memory = new Memory();
-const opened = open(location, memory.found);
+const isInSpace = isSpace(location.hash);
+// Then the address is not the curves'.
+const opened = isInSpace
+  ? { ...open({ hash: "", search: location.search }, memory.found), unwritten: false, later: true }
+  : open(location, memory.found);
 const session = new Session({ module: moduleAt(solverUrl), spawn }, opened, { view, choose }, memory);
 if (!opened.later) session.glance();
 shortcuts(session);
-addEventListener("hashchange", () => session.openLink(location.hash));
+addEventListener("hashchange", () => {
+  if (isSpace(location.hash)) return enterSpace(session);
+  space.value?.hide();
+  space.value = null;
+  session.openLink(location.hash);
+});
+if (isInSpace) enterSpace(session);
 root.replaceChildren();
 render(<App session={session} />, root);
 hands.then(

@@ -71,6 +71,26 @@ function crates() {
     .sort((a, b) => a.name.localeCompare(b.name));
 }
 
+/** Of packages that name their licence and bring no file of it. @type {Record<string, string>} */
+const TEXTS = {
+  ogl: `This is free and unencumbered software released into the public domain.
+
+Anyone is free to copy, modify, publish, use, compile, sell, or distribute this software, either in source code form or
+as a compiled binary, for any purpose, commercial or non-commercial, and by any means.
+
+In jurisdictions that recognize copyright laws, the author or authors of this software dedicate any and all copyright
+interest in the software to the public domain. We make this dedication for the benefit of the public at large and to the
+detriment of our heirs and successors. We intend this dedication to be an overt act of relinquishment in perpetuity of
+all present and future rights to this software under copyright law.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS BE
+LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT
+OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+
+For more information, please refer to <https://unlicense.org>`,
+};
+
 /**
  * The licence files of a package. Where it may be taken under MIT, that is enough.
  *
@@ -80,6 +100,7 @@ function crates() {
 function textIn(folder, name) {
   const files = readdirSync(folder).filter((file) => /^(licen[cs]e|copying|notice|unlicense)/i.test(file));
   const chosen = files.some((file) => /mit/i.test(file)) ? files.filter((file) => !/apache|zlib/i.test(file)) : files;
+  if (chosen.length === 0 && name in TEXTS) return TEXTS[name];
   if (chosen.length === 0)
     throw new Error(`${name} brings no licence file: add its text to scripts/lib/licences.mjs, or do without it.`);
   return chosen

@@ -2,16 +2,20 @@ import type { Session } from "../session";
 import type { Shape } from "../shapes/geometry";
 import { PRESETS } from "../shapes/presets";
 import { en } from "../words/en";
+import { way } from "../words/way";
 import { importing } from "./importing";
 import { reveal } from "./Stage";
 
 /** Examples that start with one click. */
-export function Presets({ session }: { session: Session }) {
+export function Presets({ session, onSurfaces }: { session: Session; onSurfaces: () => void }) {
   const chosen = session.preset.value;
   return (
     <section class="presets" aria-labelledby="presets-name">
       <header>
         <h2 id="presets-name">{en.examples.title}</h2>
+        <button type="button" class="quiet" title={way.help} onClick={onSurfaces}>
+          {way.enter}
+        </button>
         <button
           type="button"
           class="quiet"

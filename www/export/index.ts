@@ -6,6 +6,7 @@ import { theme } from "../view/palette";
 import type { Picture } from "../view/raster";
 import { markedScale } from "../view/views";
 import { csv } from "./csv";
+import type { Saved } from "./download";
 import { legendOf, legendSvg } from "./legend";
 import { gif, type SceneAt, video } from "./morph";
 import { type Draw, png } from "./png";
@@ -13,16 +14,10 @@ import { fileName, type Saving, sceneAt } from "./scene";
 import { svg } from "./svg";
 import { svgOf } from "./svgView";
 
-export type { Draw };
+export { download } from "./download";
+export type { Draw, Saved };
 
 export type Format = "png" | "svg" | "json" | "csv" | "video" | "gif";
-
-export type Saved = {
-  readonly blob: Blob;
-  readonly name: string;
-  /** What is other than was asked for. */
-  readonly note?: string;
-};
 
 /** How the match is looked at, and whether pictures and drawings say what their colours mean. */
 export type Look = {
@@ -88,16 +83,4 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
 function matchOf({ match }: Saving): NonNullable<Saving["match"]> {
   if (!match) throw new Error("There is no match to save yet; press Match first.");
   return match;
-}
-
-/** Hands the file to the browser's downloads. */
-export function download({ blob, name }: Saved): void {
-  if (blob.size === 0) throw new Error("The file came out empty; try again, or save another format.");
-  const address = URL.createObjectURL(blob);
-  const link = document.createElement("a");
-  link.href = address;
-  link.download = name;
-  link.click();
-  // Browsers read the address after the click; a minute is ample.
-  setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }

@@ -1,0 +1,115 @@
+import { isDone, isPaused, isWorking } from "../phase";
+import { decimals } from "../words/numbers";
+import { verdict } from "../words/said";
+import { space as say } from "../words/space";
+import type { SpaceSession } from "./session";
+import { finestLevel } from "./settings";
+
+/** What goes on, in words and as machine-readable values. */
+export function Status({ session }: { session: SpaceSession }) {
+  const phase = session.phase.value;
+  const status = session.fresh.value ? session.result.value?.frame.status : undefined;
+  const [paused, working] = [isPaused(phase), isWorking(phase)];
+  const cells = (value: number) =>
+    Number.isFinite(value) ? { text: decimals(value), unit: say.cells } : { text: say.nothing };
+  return (
+    // A screen reader hears the beginning and the end.
+    <div class="status" role="status" aria-live={working && !paused && status ? "off" : "polite"}>
+      <p class="headline">{headline(session)}</p>
+      {status && (
+        <dl class={session.stale.value ? "stale" : undefined}>
+          <Value name="level" value={status.level} text={say.grid(status.level)} />
+          <Value name="iteration" value={status.iteration} text={String(status.iteration)} />
+          <Value name="total" value={status.energies.total} text={decimals(status.energies.total)} />
+          {!working && (
+            <>
+              <Value name="mismatch-max" value={status.mismatch.max} {...cells(status.mismatch.max)} />
+              <Value name="mismatch-mean" value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
+              <Value name="cover-max" value={status.cover.max} {...cells(status.cover.max)} />
+              <Value name="measure" value={status.measure} text={decimals(status.measure)} />
+              <Value name="area-deviation" value={status.stretch.deviation} text={decimals(status.stretch.deviation)} />
+              <Value
+                name="least-determinant"
+                value={status.leastDeterminant}
+                text={decimals(status.leastDeterminant)}
+              />
+            </>
+          )}
+        </dl>
+      )}
+      {isDone(phase) && !session.stale.value && status?.verdict && status.stop && <p class="stop">{status.stop}</p>}
+    </div>
+  );
+}
+
+function headline(session: SpaceSession): string {
+  const phase = session.phase.value;
+  const { status: words } = say;
+  const status = session.fresh.value ? session.result.value?.frame.status : undefined;
+  if (phase === "idle") return words.ready;
+  if (phase === "cancelled") return words.cancelled;
+  if (phase === "preparing") return session.loaded.value ? words.preparing : words.loading;
+  if (isPaused(phase)) return words.paused;
+  if (!status || session.stale.value) return words.changed;
+  return isDone(phase) ? verdict(status) : words.on(say.grid(status.level));
+}
+
+/** The state, for those who do not see the picture. */
+export function resultState(session: SpaceSession): string {
+  const phase = session.phase.value;
+  const { state } = say;
+  const status = session.result.value?.frame.status;
+  if (!status) return phase === "preparing" ? state.starting : state.none;
+  if (isPaused(phase)) return state.paused;
+  if (session.stale.value) return state.stale;
+  const off = Math.max(status.mismatch.max, status.cover.max);
+  return isDone(phase) ? state.matched(decimals(off)) : state.on(say.grid(status.level));
+}
+
+type Named = keyof typeof say.numbers;
+
+function Value({ name, value, text, unit = "" }: { name: Named; value: number; text: string; unit?: string }) {
+  return (
+    <div>
+      <dt>{say.numbers[name]}</dt>
+      <dd>
+        {Number.isFinite(value) ? (
+          <data data-name={name} value={String(value)}>
+            {text}
+          </data>
+        ) : (
+          text
+        )}
+        {unit && <span class="unit">{unit}</span>}
+      </dd>
+    </div>
+  );
+}
+
+/** How far the cascade is, as a part of its levels. */
+export function Progress({ session }: { session: SpaceSession }) {
+  if (!isWorking(session.phase.value)) return <div class="progress idle" />;
+  const status = session.fresh.value ? session.result.value?.frame.status : undefined;
+  if (!status) {
+    return (
+      <div class="progress unknown" role="progressbar" aria-label={say.actions.match}>
+        <div />
+      </div>
+    );
+  }
+  // Each level takes as long as all before it, and nobody knows how many iterations it needs.
+  const left = Math.max(0, finestLevel(session.step.value.settings) - status.level);
+  const percent = Math.round(100 * 2 ** -left * (0.5 + 0.5 * (status.iteration / (status.iteration + 8))));
+  return (
+    <div
+      class="progress"
+      role="progressbar"
+      aria-label={say.actions.match}
+      aria-valuemin={0}
+      aria-valuemax={100}
+      aria-valuenow={percent}
+    >
+      <div style={{ inlineSize: `${percent}%` }} />
+    </div>
+  );
+}

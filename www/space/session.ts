@@ -1,0 +1,197 @@
+/** What the page knows of surfaces: what is chosen, the run of it, how it is looked at. Signals; no DOM. */
+
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { Delay } from "../delay";
+import type { Engine } from "../engine";
+import { begun, changed, redone, undone } from "../history";
+import { isPaused, isRunning, isWorking, next, type Phase, type PhaseEvent } from "../phase";
+import type { AnyFrame } from "../protocol";
+import { sentence } from "../run";
+import { type Chosen, type SettingField, sameSettings, withSetting } from "../settings";
+import { Solver } from "../solver";
+import { space as say } from "../words/space";
+import { type Pose, START } from "./camera";
+import type { Plane } from "./slice";
+import type { Solid } from "./solid";
+
+export type Side = "reference" | "template";
+export const SIDES: readonly Side[] = ["reference", "template"];
+
+export type View = "colours" | "area" | "distance" | "slice";
+export const VIEWS: readonly View[] = ["colours", "area", "distance", "slice"];
+
+/** One step that can be undone. */
+export type Step = { readonly reference: Solid; readonly template: Solid; readonly settings: Chosen };
+
+export type SolidFrame = AnyFrame & {
+  /** φ at the nodes of the level, x y z a node, x fastest. */
+  readonly deformation: Float64Array;
+  /** φ at the reference's vertices. */
+  readonly matched: Float64Array;
+  /** φ⁻¹ at the template's vertices, once the match is final; not a number outside of the image of the box. */
+  readonly partners: Float64Array | null;
+};
+
+/** A match with what it was computed from. */
+export type Result = Step & { readonly frame: SolidFrame };
+
+export type Look = {
+  readonly view: View;
+  readonly morph: number;
+  readonly plane: Plane;
+  readonly pose: Pose;
+};
+
+export const FIRST_LOOK: Look = { view: "colours", morph: 1, plane: { axis: 2, part: 0.5 }, pose: START };
+
+const RESTART_MILLIS = 250;
+
+export class SpaceSession {
+  private readonly solver: Solver<SolidFrame>;
+  private readonly history;
+  private readonly state = signal<Phase>("idle");
+  private readonly last = signal<Result | null>(null);
+  private readonly restarting = new Delay(RESTART_MILLIS);
+  private sent: Step | null = null;
+
+  readonly problem = signal<string | null>(null);
+  readonly loaded = signal(false);
+  /** Whether the result belongs to the run under way, not to the one before. */
+  readonly fresh = signal(false);
+  readonly phase: ReadonlySignal<Phase> = this.state;
+
+  readonly view = signal<View>("colours");
+  readonly morph = signal(1);
+  readonly plane = signal<Plane>(FIRST_LOOK.plane);
+  readonly pose = signal<Pose>(START);
+  /** The template, seen through the match. */
+  readonly showsTarget = signal(false);
+
+  readonly step;
+  readonly canUndo;
+  readonly canRedo;
+
+  /** What is shown: nothing of surfaces that are no longer chosen, unless a new run is on. */
+  readonly result = computed(() => {
+    const last = this.last.value;
+    return last && (isRunning(this.state.value) || sameSurfaces(last, this.step.value)) ? last : null;
+  });
+  readonly stale = computed(() => {
+    const result = this.result.value;
+    return result !== null && !isWorking(this.state.value) && !sameSettings(result.settings, this.step.value.settings);
+  });
+
+  constructor(engine: Engine, step: Step, look: Look = FIRST_LOOK) {
+    this.history = signal(begun(step));
+    this.step = computed(() => this.history.value.present);
+    this.canUndo = computed(() => this.history.value.past.length > 0);
+    this.canRedo = computed(() => this.history.value.future.length > 0);
+    this.look(look);
+    this.solver = new Solver<SolidFrame>(engine, {
+      ready: () => {
+        this.loaded.value = true;
+      },
+      frame: (frame) => this.receive(frame),
+      refused: (message) => this.fail(sentence(message)),
+      unavailable: (message) => this.fail(sentence(message)),
+      crashed: (message) => this.fail(say.crashed(message)),
+    });
+  }
+
+  look({ view, morph, plane, pose }: Look): void {
+    this.view.value = view;
+    this.morph.value = morph;
+    this.plane.value = plane;
+    this.pose.value = pose;
+  }
+
+  start(): void {
+    this.restarting.stop();
+    this.problem.value = null;
+    this.advance("start");
+    this.sent = this.step.value;
+    this.fresh.value = false;
+    const { reference, template, settings } = this.sent;
+    this.solver.start(mesh(reference), mesh(template), settings);
+  }
+
+  pause(): void {
+    if (this.advance("pause")) this.solver.pause();
+  }
+
+  /** What has been chosen since the pause counts. */
+  resume(): void {
+    if (this.sent !== this.step.value) this.start();
+    else if (this.advance("resume")) this.solver.resume();
+  }
+
+  cancel(): void {
+    this.end("cancel");
+    this.solver.cancel();
+  }
+
+  /** One step to undo. */
+  commit(change: Partial<Step>): void {
+    this.problem.value = null;
+    this.history.value = changed(this.history.value, { ...this.step.value, ...change });
+    this.follow();
+  }
+
+  undo(): void {
+    this.history.value = undone(this.history.value);
+    this.follow();
+  }
+
+  redo(): void {
+    this.history.value = redone(this.history.value);
+    this.follow();
+  }
+
+  changeSetting(field: SettingField, value: number | string | boolean): void {
+    const settings = withSetting(this.step.value.settings, field, value);
+    if (!sameSettings(settings, this.step.value.settings)) this.commit({ settings });
+  }
+
+  dispose(): void {
+    this.restarting.stop();
+    this.solver.dispose();
+  }
+
+  /** A run under way starts again with what has changed; without one, the user decides. */
+  private follow(): void {
+    if (isWorking(this.state.value) && !isPaused(this.state.value)) this.restarting.start(() => this.start());
+  }
+
+  private receive(frame: SolidFrame): void {
+    if (!this.sent) return;
+    this.last.value = { ...this.sent, frame };
+    this.fresh.value = true;
+    this.advance(frame.status.finished ? "finish" : "frame");
+  }
+
+  private fail(message: string): void {
+    this.end("drop");
+    this.problem.value = message;
+  }
+
+  private end(event: "cancel" | "drop"): void {
+    this.restarting.stop();
+    this.advance(event);
+    this.last.value = null;
+  }
+
+  /** Whether the event has changed the state. */
+  private advance(event: PhaseEvent): boolean {
+    const before = this.state.value;
+    this.state.value = next(before, event);
+    return this.state.value !== before;
+  }
+}
+
+function sameSurfaces(a: Step, b: Step): boolean {
+  return a.reference === b.reference && a.template === b.template;
+}
+
+function mesh({ positions, indices }: Solid) {
+  return { kind: "mesh" as const, positions, indices };
+}

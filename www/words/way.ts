@@ -1,0 +1,7 @@
+/** The way to surfaces: what is said before anything of them has been fetched. */
+
+export const way = {
+  enter: "Surfaces",
+  help: "Match closed surfaces in space instead of curves",
+  part: "What shows surfaces",
+};

@@ -24,7 +24,7 @@ export const SURFACES: readonly Made[] = [
   { id: "unduloid", name: "Unduloid", make: () => unduloid(0) },
   { id: "unduloid-shifted", name: "Unduloid, shifted", make: () => unduloid(0.1) },
   { id: "torus", name: "Torus", make: () => torus },
-  { id: "torus-bent", name: "Torus, bent", make: () => moved(torus, ([x, y, z]) => [x, y + 2.2 * (x * x - z * z), z]) },
+  { id: "torus-bent", name: "Torus, bent", make: () => moved(torus, ([x, y, z]) => [x, y + 1.2 * (x * x - z * z), z]) },
   { id: "bumpy", name: "Bumpy sphere", make: () => graph(bumps) },
   { id: "bumpy-turned", name: "Bumpy sphere, turned", make: () => moved(graph(bumps), turned(TURN)) },
   { id: "cube", name: "Rounded cube", make: () => graph((d) => 0.22 * norm(d, 5)) },
@@ -190,7 +190,7 @@ function bent([x, y, z]: Vector): Vector {
  * tangent to it. The shift is in periods.
  */
 function unduloid(shift: number): Mesh {
-  const [swing, periods, steps] = [0.35, 1.6, 60];
+  const [swing, periods, steps] = [0.35, 1.1, 60];
   const root = (t: number) => Math.sqrt(1 + swing ** 2 + 2 * swing * Math.sin(t));
   const begin = Math.PI / 2 - Math.PI * periods + 2 * Math.PI * shift;
   const points: [along: number, radius: number, slope: number][] = [];
@@ -242,9 +242,9 @@ function revolved(profile: readonly (readonly [x: number, radius: number])[]): M
     for (let j = 0; j < corners; j += 1) {
       const [a, b] = [j, (j + 1) % corners].map((corner) => 1 + (i - 1) * corners + corner);
       const [c, d] = [a + corners, b + corners];
-      if (i === 0) indices.push(0, c, d);
-      else if (i === last - 1) indices.push(a, pole, b);
-      else indices.push(a, c, b, b, c, d);
+      if (i === 0) indices.push(0, d, c);
+      else if (i === last - 1) indices.push(a, b, pole);
+      else indices.push(a, b, c, b, d, c);
     }
   return { positions: Float64Array.from(positions), indices: Uint32Array.from(indices) };
 }

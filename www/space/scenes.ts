@@ -68,7 +68,7 @@ export type Paint = {
 
 export function referenceScene(reference: Solid, { result, view, scale, plane }: Paint): Scene {
   return {
-    skins: [still(reference, referenceColours(reference, result, view, scale), 1)],
+    skins: [still(reference, referenceColours(reference, result, view, scale), { lined: !scale })],
     lines: [],
     cut: view === "slice" ? plane : null,
   };
@@ -78,17 +78,19 @@ export function referenceScene(reference: Solid, { result, view, scale, plane }:
 export function templateScene(template: Solid, { result, dark }: Paint): Scene {
   const partners = result?.template === template ? result.frame.partners : null;
   const painted = partners ? colours(partners) : plainColours(template.positions.length / 3, plainOf(dark));
-  return { skins: [still(template, painted, 1)], lines: [], cut: null };
+  const seen = still(template, painted);
+  return { skins: [{ ...seen, places: partners && Float32Array.from(partners) }], lines: [], cut: null };
 }
 
 export function resultScene(reference: Solid, template: Solid, paint: Paint): Scene {
   const { result, view, plane, scale, dark, showsTarget } = paint;
   const slices = view === "slice" && result !== null;
   const from = result?.reference ?? reference;
-  const skins = [skin(from, result?.frame.matched ?? from.positions, referenceColours(from, result, view, scale), 1)];
+  const painted = referenceColours(from, result, view, scale);
+  const skins = [skin(from, result?.frame.matched ?? from.positions, painted, { lined: !scale })];
   if (showsTarget) {
     const target = result?.template ?? template;
-    skins.push(still(target, plainColours(target.positions.length / 3, plainOf(dark)), 0.35));
+    skins.push(still(target, plainColours(target.positions.length / 3, plainOf(dark)), { opacity: 0.35 }));
   }
   const lines: Lines[] = [];
   if (slices) {
@@ -114,18 +116,21 @@ function plainOf(dark: boolean): readonly [number, number, number] {
 /** Of a solid, which never changes. */
 const known = new WeakMap<Solid, Pick<Skin, "from" | "fromNormals" | "indices">>();
 
-function still(solid: Solid, painted: Float32Array, opacity: number): Skin {
+type Finish = { readonly lined?: boolean; readonly opacity?: number };
+
+function still(solid: Solid, painted: Float32Array, { lined = false, opacity = 1 }: Finish = {}): Skin {
   const fixed = known.get(solid) ?? {
     from: Float32Array.from(solid.positions),
     fromNormals: normals(solid.positions, solid.indices),
     indices: solid.indices,
   };
   known.set(solid, fixed);
-  return { ...fixed, to: fixed.from, toNormals: fixed.fromNormals, colours: painted, opacity };
+  const { from, fromNormals } = fixed;
+  return { ...fixed, to: from, toNormals: fromNormals, colours: painted, places: lined ? from : null, opacity };
 }
 
-function skin(solid: Solid, moved: ArrayLike<number>, painted: Float32Array, opacity: number): Skin {
-  const fixed = still(solid, painted, opacity);
+function skin(solid: Solid, moved: ArrayLike<number>, painted: Float32Array, finish: Finish): Skin {
+  const fixed = still(solid, painted, finish);
   if (moved === solid.positions) return fixed;
   return { ...fixed, to: Float32Array.from(moved), toNormals: normals(moved, solid.indices) };
 }

@@ -11,6 +11,8 @@ export type Skin = {
   readonly fromNormals: Float32Array;
   readonly toNormals: Float32Array;
   readonly colours: Float32Array;
+  /** Where in the reference's box each vertex has its lines; none without. x y z a vertex. */
+  readonly places: Float32Array | null;
   readonly indices: Uint32Array;
   /** Below 1 it is seen through. */
   readonly opacity: number;
@@ -27,34 +29,43 @@ export type Scene = {
 
 export type Light = { readonly paper: readonly [number, number, number] };
 
-const SKIN_VERTEX = `
-attribute vec3 position, origin, normal, originNormal, colour;
+const SKIN_VERTEX = `#version 300 es
+in vec3 position, origin, normal, originNormal, colour, place;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform float morph;
-varying vec3 vNormal, vColour, vOrigin;
+out vec3 vNormal, vColour, vOrigin, vPlace;
 void main() {
   vOrigin = origin;
   vColour = colour;
+  vPlace = place;
   vNormal = mat3(viewMatrix) * mix(originNormal, normal, morph);
   gl_Position = projectionMatrix * viewMatrix * vec4(mix(origin, position, morph), 1.0);
 }`;
 
+/** Lines a box length, in each direction. */
+const LINES = 14;
+
 // Light comes from the viewer's left shoulder, so that shapes read the same however they are turned.
-const SKIN_FRAGMENT = `
+const SKIN_FRAGMENT = `#version 300 es
 precision highp float;
 uniform vec4 beyond;
-uniform float opacity;
-varying vec3 vNormal, vColour, vOrigin;
+uniform float opacity, lined;
+in vec3 vNormal, vColour, vOrigin, vPlace;
+out vec4 painted;
 void main() {
   if (dot(beyond.xyz, vOrigin) > beyond.w) discard;
-  vec3 n = normalize(vNormal);
-  float inner = gl_FrontFacing ? 1.0 : 0.6;
-  float light = 0.5 + 0.55 * max(0.0, dot(gl_FrontFacing ? n : -n, normalize(vec3(-0.35, 0.45, 0.82))));
-  gl_FragColor = vec4(vColour * min(1.0, light) * inner * opacity, opacity);
+  vec3 at = vPlace * ${LINES.toFixed(1)} + 0.5;
+  vec3 wide = max(fwidth(at), vec3(1e-5));
+  vec3 near = 1.0 - smoothstep(0.5 * wide, 1.5 * wide, 0.5 - abs(fract(at) - 0.5));
+  float ink = lined * 0.38 * max(near.x, max(near.y, near.z));
+  vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal);
+  float light = 0.6 + 0.45 * max(0.0, dot(n, normalize(vec3(-0.35, 0.45, 0.82))));
+  float inner = gl_FrontFacing ? 1.0 : 0.8;
+  painted = vec4(vColour * (1.0 - ink) * min(1.0, light) * inner * opacity, opacity);
 }`;
 
-const LINE_VERTEX = `
-attribute vec3 position, origin;
+const LINE_VERTEX = `#version 300 es
+in vec3 position, origin;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform float morph;
 void main() {
@@ -63,10 +74,11 @@ void main() {
   gl_Position.z -= 0.0015 * gl_Position.w;
 }`;
 
-const LINE_FRAGMENT = `
+const LINE_FRAGMENT = `#version 300 es
 precision mediump float;
 uniform vec3 tint;
-void main() { gl_FragColor = vec4(tint, 1.0); }`;
+out vec4 painted;
+void main() { painted = vec4(tint, 1.0); }`;
 
 const KEEP_ALL = [0, 0, 0, 1];
 
@@ -97,6 +109,7 @@ export class Stage {
         normal: { size: 3, data: skin.toNormals },
         originNormal: { size: 3, data: skin.fromNormals },
         colour: { size: 3, data: skin.colours },
+        place: { size: 3, data: skin.places ?? skin.from },
         index: { data: skin.indices },
       });
       const program = new Program(gl, {
@@ -105,7 +118,12 @@ export class Stage {
         cullFace: isClear ? gl.BACK : false,
         transparent: isClear,
         depthWrite: !isClear,
-        uniforms: { morph: { value: 1 }, beyond: { value: beyond }, opacity: { value: skin.opacity } },
+        uniforms: {
+          morph: { value: 1 },
+          beyond: { value: beyond },
+          opacity: { value: skin.opacity },
+          lined: { value: skin.places ? 1 : 0 },
+        },
       });
       this.add(new Mesh(gl, { geometry, program }));
     }

@@ -38,12 +38,12 @@ export const space = {
   },
   captions: {
     colours:
-      "Equal colours are matched points: each point of the reference keeps its colour, and the template shows that of its partners.",
+      "Equal colours are matched points: each point of the reference keeps its colour and its lines, and the template shows those of its partners.",
     area: "How much the surface grows: the area around each point after the match over the area before.",
     distance:
       "How far each point of the moved reference lies from the template, in cells of the grid that was matched.",
     slice:
-      "Space is cut along a plane of the undeformed grid: the net is where the deformation takes it, the thick line where it takes the curve that the plane cuts out of the reference.",
+      "Space is cut along a plane of the undeformed grid: the net is where the deformation takes it, the strong line where it takes the curve that the plane cuts out of the reference.",
   },
   keys: "Drag to turn, with Shift to move, wheel to zoom; two fingers zoom and move. Keys: arrows turn, Shift with arrows moves, + and − zoom, Home goes back.",
   waiting: "Colours and maps come with the match.",

@@ -1,0 +1,272 @@
+/** Surfaces: the way there and back, a match in space, its views, files and links. */
+
+import { readFileSync } from "node:fs";
+import { AxeBuilder } from "@axe-core/playwright";
+import { expect, type Page, test } from "@playwright/test";
+import { button, drawn, finished, paint, picture, result, surface, value, watch } from "./handles";
+
+const SMALL = "./#space=1&finest=4";
+
+/** An octahedron with its triangles cut in four: a closed mesh, as ASCII. */
+function octahedron(): string {
+  const ends = [
+    [1, 0, 0],
+    [0, 0, -1],
+    [-1, 0, 0],
+    [0, 0, 1],
+  ];
+  const points: number[][] = [];
+  const faces: string[] = [];
+  const add = (point: number[]) => points.push(point) - 1;
+  const middle = (p: number[], q: number[]) => p.map((x, k) => 0.6 * (x + q[k]));
+  for (const [k, p] of ends.entries())
+    for (const pole of [1, -1]) {
+      const q = ends[(k + 1) % 4];
+      const triangle = pole > 0 ? [p, q, [0, pole, 0]] : [q, p, [0, pole, 0]];
+      const [a, b, c] = triangle.map(add);
+      const [ab, bc, ca] = triangle.map((corner, i) => add(middle(corner, triangle[(i + 1) % 3])));
+      faces.push(`3 ${a} ${ab} ${ca}`, `3 ${ab} ${b} ${bc}`, `3 ${ca} ${bc} ${c}`, `3 ${ab} ${bc} ${ca}`);
+    }
+  return [
+    "ply",
+    "format ascii 1.0",
+    `element vertex ${points.length}`,
+    ...["x", "y", "z"].map((axis) => `property float ${axis}`),
+    `element face ${faces.length}`,
+    "property list uchar int vertex_indices",
+    "end_header",
+    ...points.map((point) => point.map((x) => 40 * x + 7).join(" ")),
+    ...faces,
+    "",
+  ].join("\n");
+}
+
+async function drop(page: Page, side: "Reference" | "Template", name: string, text: string): Promise<void> {
+  const data = await page.evaluateHandle(
+    ([called, content]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], called));
+      return transfer;
+    },
+    [name, text],
+  );
+  await surface(page, side).dispatchEvent("drop", { dataTransfer: data });
+}
+
+/** Downloads by a button of the menu, as text. */
+async function saved(page: Page, format: string): Promise<string> {
+  await page.locator(".save summary").click();
+  const coming = page.waitForEvent("download");
+  await button(page, format).click();
+  return readFileSync(await (await coming).path(), "latin1");
+}
+
+test("the way to surfaces and back leaves the sketch as it was", async ({ page }) => {
+  const { errors } = watch(page);
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await finished(page);
+  await button(page, "Clear template").click();
+  await expect.poll(() => drawn(page, "Template")).toBe("");
+  const before = drawn(page, "Reference");
+  await button(page, "Surfaces").click();
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText("Elastic matching of two surfaces");
+  await expect(page).toHaveURL(/#space=1&reference=sphere&template=ellipsoid/);
+  await button(page, "Back to curves").click();
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText("Elastic matching of two curves");
+  expect(drawn(page, "Reference")).toBe(before);
+  expect(drawn(page, "Template")).toBe("");
+  await button(page, "Undo").click();
+  await expect.poll(() => new URL(page.url()).hash).toContain("preset=ellipse");
+  expect(errors).toEqual([]);
+});
+
+test("a pair of the gallery is matched at 33³: verdict, numbers, and equal colours on both surfaces", async ({
+  page,
+}) => {
+  test.slow();
+  const { errors, requests } = watch(page);
+  await page.goto("./#space=1");
+  await finished(page);
+  requests.length = 0;
+  expect(await value(page, "level")).toBe(5);
+  expect(await value(page, "mismatch-max")).toBeLessThan(0.3);
+  expect(await value(page, "least-determinant")).toBeGreaterThan(0.3);
+  await expect(page.getByRole("status")).toContainText("Fits: nowhere more than");
+  await expect(result(page)).toHaveAccessibleName(/matched, at most 0\.\d+ cells off, nothing folded$/);
+  for (const canvas of [surface(page, "Reference"), surface(page, "Template"), result(page)]) {
+    const { painted, colours } = await paint(canvas);
+    expect(painted).toBeGreaterThan(0.1);
+    expect(colours).toBeGreaterThan(500);
+  }
+  expect(errors).toEqual([]);
+  expect(requests).toEqual([]);
+});
+
+test("the camera turns by keys in all views at once, says where it is, and stands in the link", async ({ page }) => {
+  await page.goto(SMALL);
+  await finished(page);
+  const all = [surface(page, "Reference"), surface(page, "Template"), result(page)];
+  const before = await Promise.all(all.map(picture));
+  await result(page).focus();
+  for (let k = 0; k < 4; k += 1) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowUp");
+  const said = page.locator("#space-pose");
+  await expect(said).toHaveText("Seen 74° from the right, 33° from above, zoom 1.0");
+  for (const [k, canvas] of all.entries()) expect(await picture(canvas)).not.toBe(before[k]);
+  await page.keyboard.press("+");
+  await page.keyboard.press("Shift+ArrowLeft");
+  await expect(said).toHaveText("Seen 74° from the right, 33° from above, zoom 1.2, moved");
+  await expect(page).toHaveURL(/camera=1\.298%2C0\.575%2C1\.2/);
+  const turned = await picture(result(page));
+  await page.reload();
+  await finished(page);
+  expect(await picture(result(page))).toBe(turned);
+  await button(page, "Reset view").click();
+  await expect.poll(async () => (await picture(result(page))) === before[2]).toBe(true);
+});
+
+test("a drag turns, and two views show numbers with their legend", async ({ page }) => {
+  await page.goto(SMALL);
+  await finished(page);
+  const before = await picture(result(page));
+  const box = await result(page).boundingBox();
+  if (!box) throw new Error("the result is not on the page");
+  await page.mouse.move(box.x + 200, box.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 260, box.y + 220, { steps: 3 });
+  await page.mouse.up();
+  await expect.poll(() => picture(result(page))).not.toBe(before);
+  let last = await picture(result(page));
+  for (const [view, legend] of [
+    ["Area ratio", "Area ratio"],
+    ["Distance", "Distance to the template"],
+  ]) {
+    await page.getByLabel("View", { exact: true }).selectOption(view);
+    await expect(page.getByRole("figure", { name: "What the colours mean" })).toContainText(legend);
+    await expect.poll(() => picture(result(page))).not.toBe(last);
+    last = await picture(result(page));
+  }
+  await page.getByLabel("View", { exact: true }).selectOption("Slice");
+  await expect.poll(() => picture(result(page))).not.toBe(last);
+  last = await picture(result(page));
+  await page.getByLabel("Plane at").fill("62");
+  await expect.poll(() => picture(result(page))).not.toBe(last);
+  last = await picture(result(page));
+  await page.getByLabel("Morph", { exact: true }).fill("0");
+  await expect.poll(() => picture(result(page))).not.toBe(last);
+});
+
+test("a dropped PLY is matched, saved, and there again after a reload", async ({ page }) => {
+  test.slow();
+  const { errors } = watch(page);
+  await page.goto(SMALL);
+  await finished(page);
+  await drop(page, "Template", "eight.ply", octahedron());
+  await expect(page.getByLabel("Surface of the template").locator("option:checked")).toHaveText("eight.ply");
+  await expect(page.getByRole("status")).toContainText("press Match");
+  await button(page, "Match").click();
+  await finished(page);
+  expect(await value(page, "mismatch-max")).toBeLessThan(0.5);
+  const { colours } = await paint(surface(page, "Template"));
+  expect(colours).toBeGreaterThan(500);
+
+  const ply = await saved(page, "Matched surface (PLY)");
+  expect(ply).toMatch(/^ply\nformat ascii 1\.0\n/);
+  const count = Number(ply.match(/element vertex (\d+)/)?.[1]);
+  const rows = ply
+    .slice(ply.indexOf("end_header\n") + 11)
+    .split("\n")
+    .slice(0, count)
+    .map((row) => row.split(" ").map(Number));
+  for (const [x, y, z, , , , ratio, distance, partner] of rows) {
+    for (const at of [x, y, z]) expect(at).toBeGreaterThan(0.15);
+    expect(ratio).toBeGreaterThan(0);
+    expect(distance).toBeLessThan(0.6);
+    expect(partner).toBeLessThan(6 + 12);
+  }
+  const everything = JSON.parse(await saved(page, "Everything (JSON)"));
+  expect(everything.template.name).toBe("eight.ply");
+  expect(everything.match.deformation).toHaveLength(3 * 17 ** 3);
+  expect(await saved(page, "Picture (PNG)")).toMatch(/^.PNG/);
+
+  await button(page, "Copy link").click();
+  await expect(page.getByRole("alert")).toContainText("kept in this browser only");
+  await page.reload();
+  await finished(page);
+  await expect(page.getByLabel("Surface of the template").locator("option:checked")).toHaveText("eight.ply");
+  expect(errors).toEqual([]);
+});
+
+test("what cannot be read or matched is said, and changes nothing", async ({ page }) => {
+  await page.goto(SMALL);
+  await finished(page);
+  const alert = page.getByRole("alert");
+  await page.getByLabel("Open a file as reference").setInputFiles({
+    name: "notes.txt",
+    mimeType: "text/plain",
+    buffer: Buffer.from("no mesh"),
+  });
+  await expect(alert).toContainText("“notes.txt” was not taken: it is none of PLY, OBJ, STL or JSON");
+  await expect(page.getByLabel("Surface of the reference").locator("option:checked")).toHaveText("Sphere");
+  const open = octahedron().split("\n").slice(0, -2).join("\n").replace("face 32", "face 31");
+  await drop(page, "Reference", "open.ply", open);
+  await expect(page.getByLabel("Surface of the reference").locator("option:checked")).toHaveText("open.ply");
+  await button(page, "Match").click();
+  await expect(alert).toContainText("The reference is open");
+  await page.keyboard.press("Control+z");
+  await expect(page.getByLabel("Surface of the reference").locator("option:checked")).toHaveText("Sphere");
+  await page.goto("./#space=1&reference=teapot");
+  await page.reload();
+  await expect(alert).toContainText("there is no surface “teapot” in the gallery");
+});
+
+test("a match in space pauses, goes on and is cancelled", async ({ page }) => {
+  await page.goto("./#space=1&finest=6");
+  await expect(page.getByRole("status").locator('data[data-name="level"]')).toBeVisible({ timeout: 45_000 });
+  await expect(page.getByRole("progressbar")).toBeVisible();
+  await button(page, "Pause").click();
+  await expect(page.getByRole("status")).toContainText("Paused.");
+  await button(page, "Resume").click();
+  await expect(page.getByRole("status")).toContainText("Matching on the");
+  await button(page, "Cancel").click();
+  await expect(page.getByRole("status")).toContainText("Cancelled.");
+  await expect(page.getByRole("progressbar")).toHaveCount(0);
+});
+
+test("without WebGL a sentence says so, and the match has its numbers", async ({ page }) => {
+  await page.addInitScript(() => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+      return kind.startsWith("webgl") ? null : get.call(this, kind as "2d", ...rest);
+    } as typeof get;
+  });
+  await page.goto(SMALL);
+  await finished(page);
+  await expect(page.getByRole("alert")).toContainText("This browser shows no WebGL");
+});
+
+for (const [scheme, media] of Object.entries({
+  light: { colorScheme: "light" },
+  dark: { colorScheme: "dark" },
+  "forced colours": { forcedColors: "active" },
+} as const)) {
+  test(`surfaces have no accessibility violation: ${scheme}`, async ({ page }) => {
+    await page.emulateMedia(media);
+    await page.goto(`${SMALL}&view=area`);
+    await finished(page);
+    await page.locator("summary", { hasText: "Settings" }).click();
+    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+    await page.getByLabel("View", { exact: true }).selectOption("Slice");
+    await page.locator(".save summary").click();
+    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  });
+}
+
+test("nothing scrolls sideways from 320 pixels up", async ({ page }) => {
+  for (const width of [320, 390, 768, 1280]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.goto(`${SMALL}&view=slice`);
+    await expect(surface(page, "Template")).toBeVisible();
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+  }
+});

@@ -381,6 +381,7 @@ function Slide({ name, value, text, disabled = false, change }: Slid) {
       <span>{name}</span>
       <input
         type="range"
+        aria-label={name}
         min={0}
         max={100}
         value={Math.round(100 * value)}

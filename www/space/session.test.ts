@@ -20,7 +20,14 @@ function begun() {
   const frame = (finished: boolean) => {
     const status = { finished, level: 5, iteration: 1 };
     const picture = { matched: made("ellipsoid").positions, deformation: new Float64Array(3), partners: null };
-    const all = { kind: "frame", run: puppet.lastRun, rest: null, trail: [], status, ...picture } as unknown as SolidFrame;
+    const all = {
+      kind: "frame",
+      run: puppet.lastRun,
+      rest: null,
+      trail: [],
+      status,
+      ...picture,
+    } as unknown as SolidFrame;
     puppet.say(all as never);
   };
   return { session, puppet, frame };

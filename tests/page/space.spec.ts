@@ -208,9 +208,10 @@ test("what cannot be read or matched is said, and changes nothing", async ({ pag
   await expect(alert).toContainText("The reference is open");
   await page.keyboard.press("Control+z");
   await expect(page.getByLabel("Surface of the reference").locator("option:checked")).toHaveText("Sphere");
+  await button(page, "Swap").click();
   await page.goto("./#space=1&reference=teapot");
-  await page.reload();
   await expect(alert).toContainText("there is no surface “teapot” in the gallery");
+  await expect(page.getByLabel("Surface of the reference").locator("option:checked")).toHaveText("Ellipsoid");
 });
 
 test("a match in space pauses, goes on and is cancelled", async ({ page }) => {

@@ -30,7 +30,7 @@ export async function open(hash: string, leave: () => void) {
     session = new SpaceSession({ module: moduleAt(solverUrl), spawn }, asked?.step ?? first(), asked?.linked.look);
     writeAddress(session);
     session.start();
-  } else if (asked && encode(asked.step, asked.linked.look) !== textOf(session)) {
+  } else if (asked && !asked.problem && encode(asked.step, asked.linked.look) !== textOf(session)) {
     session.commit(asked.step);
     session.look(asked.linked.look);
     session.start();
@@ -76,7 +76,7 @@ function galleryOnly(id: string): Solid {
 
 type Asked = { readonly step: Step; readonly linked: Pick<Linked, "look">; readonly problem: string | null };
 
-/** What cannot be read is reported, and the first pair shown. */
+/** Of what cannot be read only the reason; the first pair stands in for it where nothing is shown yet. */
 async function linked(text: string): Promise<Asked> {
   try {
     const found = decode(text);

@@ -133,7 +133,7 @@ export const space = {
   },
 
   links: {
-    notRead: (why: string) => `The link could not be read: ${why}. The first example is shown instead.`,
+    notRead: (why: string) => `The link could not be read: ${why}.`,
     number: (text: string) => `“${text.slice(0, 60)}” is not what it should be`,
     unknown: (id: string) => `there is no surface “${id}” in the gallery`,
     elsewhere: (side: string) => `the ${side} is a file that is kept in another browser only, or no more`,

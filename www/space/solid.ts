@@ -1,5 +1,7 @@
 /** Closed triangle meshes: where they lie in the box, their normals and areas. No DOM, no solver. */
 
+import { space as say } from "../words/space";
+
 export type Vector = readonly [x: number, y: number, z: number];
 
 /** A mesh in the box [0,1]³, y up. It never changes. */
@@ -27,7 +29,7 @@ export function fitted({ positions, indices }: Pick<Solid, "positions" | "indice
       most[axis] = Math.max(most[axis], at);
     }
   const extent = Math.max(...most.map((value, axis) => value - least[axis]));
-  if (!(extent > 0 && Number.isFinite(extent))) throw new Error("has no extent");
+  if (!(extent > 0 && Number.isFinite(extent))) throw new Error(say.files.flat);
   const scale = EXTENT / extent;
   const placed = positions.map((at, k) => 0.5 + scale * (at - (least[k % 3] + most[k % 3]) / 2));
   return { positions: placed, indices: outward(placed, indices) };

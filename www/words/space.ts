@@ -51,7 +51,7 @@ export const space = {
   area: "Area ratio",
   distance: "Distance to the template",
   cells: "cells",
-  target: "Show the template through it",
+  target: "The template as a veil",
   plane: "Across",
   axes: ["width", "height", "depth"],
   at: "Plane at",
@@ -129,7 +129,6 @@ export const space = {
     plyFormat: (format: string) => `is a PLY of the unknown format “${format}”`,
     plyHeader: "has no PLY header that can be read",
     json: "is no JSON with “cells” (2 to 128) and “values”, one for each of the (cells + 1)³ nodes, x fastest, negative inside",
-    oneSide: "The dropped file became the reference; drop a file onto the template to change that one.",
   },
 
   links: {

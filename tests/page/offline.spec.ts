@@ -68,7 +68,8 @@ test("every file of the build is kept, none else, and the page can be installed"
   });
   for (const path of ["/index.html", "/experiments.html", "/licences.html", "/manifest.webmanifest"])
     expect(all).toContain(path);
-  expect(all.filter((path) => path.endsWith(".wasm"))).toHaveLength(1);
+  // Of curves and of surfaces.
+  expect(all.filter((path) => path.endsWith(".wasm"))).toHaveLength(2);
   expect(all).not.toContain("/sw.js");
   const manifest = await (await page.request.get(`${baseURL}manifest.webmanifest`)).json();
   for (const { src } of manifest.icons) expect(all).toContain(`/${src}`);

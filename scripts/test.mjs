@@ -50,6 +50,7 @@ const STEPS = {
     check: async () => {
       // The page's types come from Rust, so they have to be generated before they can be checked.
       await buildWasm();
+      await buildSolidWasm();
       return all(() => succeeds(...program("typescript/bin/tsc", ["--noEmit"])));
     },
   },

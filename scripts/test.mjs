@@ -74,6 +74,16 @@ const STEPS = {
       return { passed: right + refused, failed: defects };
     },
   },
+  package: {
+    title: "package: what `npm pack` makes, in Node, in a page, in a worker and with Vite",
+    check: async () => {
+      await buildWasm();
+      await buildSolidWasm();
+      // Not above: on a fresh clone there is no browser's client before the packages are there.
+      const { tryPackage } = await import("./tryPackage.mjs");
+      return tryPackage();
+    },
+  },
   build: {
     title: "build: the page and its size budget",
     check: async () => {

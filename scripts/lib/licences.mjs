@@ -7,8 +7,18 @@ import { output, root } from "./process.mjs";
 
 /** @typedef {{ name: string, version: string, licence: string, text: string }} Part */
 
-/** Packages whose data is cut into the page while it is built; nothing imports their code. */
-const DATA = ["@phosphor-icons/core", "world-atlas"];
+/** Packages that the page carries: their code, or data cut out of them while it is built. */
+const CARRIED = [
+  "@phosphor-icons/core",
+  "@preact/signals",
+  "clipper2-ts",
+  "gifenc",
+  "ogl",
+  "preact",
+  "svgpath",
+  "uplot",
+  "world-atlas",
+];
 
 const FILE = "licences.html";
 
@@ -17,26 +27,27 @@ const STYLE =
 
 /** @returns {Part[]} */
 export function parts() {
-  return [...packages(), ...crates(), STANDARD_LIBRARY];
+  return [...packages(CARRIED), ...crates(), STANDARD_LIBRARY];
 }
 
 /**
- * Every npm package that the page needs when it runs, theirs included.
+ * The packages of these names, with those that they need in turn.
  *
+ * @param {readonly string[]} names
  * @returns {Part[]}
  */
-function packages() {
-  /** @type {{ packages: Record<string, { version: string, license?: string, dev?: boolean }> }} */
+export function packages(names) {
+  /** @type {{ packages: Record<string, { version: string, license?: string, dependencies?: Record<string, string> }> }} */
   const lock = JSON.parse(readFileSync(join(root, "package-lock.json"), "utf8"));
-  return Object.entries(lock.packages)
-    .map(([path, entry]) => ({ path, name: path.replace(/^.*node_modules\//, ""), ...entry }))
-    .filter(({ path, name, dev }) => path !== "" && (!dev || DATA.includes(name)))
-    .map(({ path, name, version, license }) => ({
-      name,
-      version,
-      licence: license ?? "",
-      text: textIn(join(root, path), name),
-    }));
+  const needed = new Set(names);
+  for (const name of needed)
+    for (const other of Object.keys(lock.packages[`node_modules/${name}`]?.dependencies ?? {})) needed.add(other);
+  return [...needed].sort().map((name) => {
+    const path = `node_modules/${name}`;
+    const entry = lock.packages[path];
+    if (entry === undefined) throw new Error(`package-lock.json has no ${name}: run \`npm install\`.`);
+    return { name, version: entry.version, licence: entry.license ?? "", text: textIn(join(root, path), name) };
+  });
 }
 
 /**
@@ -44,7 +55,7 @@ function packages() {
  *
  * @returns {Part[]}
  */
-function crates() {
+export function crates() {
   const asked = ["metadata", "--format-version", "1", "--locked", "--filter-platform", "wasm32-unknown-unknown"];
   const answer = output("cargo", asked);
   if (answer === null) throw new Error(`\`cargo ${asked.join(" ")}\` failed: the crates' licences cannot be listed.`);
@@ -137,6 +148,13 @@ ${sections.join("\n")}
 `;
 }
 
+/** @param {readonly Part[]} all */
+export function textOf(all) {
+  return all
+    .map(({ name, version, licence, text }) => `${[name, version].filter(Boolean).join(" ")} (${licence})\n\n${text}\n`)
+    .join(`\n${"-".repeat(72)}\n\n`);
+}
+
 /** @param {string} text */
 function escaped(text) {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
@@ -168,9 +186,7 @@ export function licences() {
         const all = parts();
         const missing = [...bundled].filter((name) => !all.some((part) => part.name === name));
         if (missing.length > 0)
-          this.error(
-            `dist would carry ${missing.join(", ")} without a licence: move it to package.json's dependencies.`,
-          );
+          this.error(`dist would carry ${missing.join(", ")} without a licence: name it in scripts/lib/licences.mjs.`);
         this.emitFile({ type: "asset", fileName: FILE, source: pageOf(all) });
       },
       configureServer(server) {
@@ -188,7 +204,7 @@ export function licences() {
 }
 
 /** @type {Part} */
-const STANDARD_LIBRARY = {
+export const STANDARD_LIBRARY = {
   name: "Rust's standard library",
   version: "",
   licence: "MIT OR Apache-2.0",

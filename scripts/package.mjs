@@ -1,0 +1,52 @@
+// `npm run package`, and before every `npm pack`: what others install, in lib/. The modules are those of the page; under
+// Node their `init()` reads the file beside them, which Node's fetch cannot.
+
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { crates, STANDARD_LIBRARY, textOf } from "./lib/licences.mjs";
+import { main, root } from "./lib/process.mjs";
+import { checkNode, ensurePackages } from "./lib/setup.mjs";
+import { buildSolidWasm, buildWasm } from "./wasm.mjs";
+
+const OUT = join(root, "lib");
+
+/** Which folder of the page becomes which of the package. */
+const MODULES = [
+  ["wasm", "."],
+  ["wasm-solid", "solid"],
+];
+
+const FILES = ["thinshell.js", "thinshell.d.ts", "thinshell_bg.wasm", "settings.js", "settings.d.ts"];
+
+const NODE = `import { readFileSync } from "node:fs";
+import initialize, { initSync } from "./thinshell.js";
+export * from "./thinshell.js";
+
+export default async function init(source) {
+  if (source !== undefined) return initialize(source);
+  return initSync({ module: readFileSync(new URL("thinshell_bg.wasm", import.meta.url)) });
+}
+`;
+
+export async function assemble() {
+  await buildWasm();
+  await buildSolidWasm();
+  rmSync(OUT, { recursive: true, force: true });
+  for (const [from, to] of MODULES) {
+    mkdirSync(join(OUT, to), { recursive: true });
+    for (const file of FILES) copyFileSync(join(root, "www", from, file), join(OUT, to, file));
+    const types = join(OUT, to, "thinshell.d.ts");
+    // The types say that a registration can be disposed of, a word that projects need not know.
+    writeFileSync(types, `/// <reference lib="esnext.disposable" />\n${readFileSync(types, "utf8")}`);
+    writeFileSync(join(OUT, to, "node.js"), NODE);
+  }
+  writeFileSync(join(OUT, "licences.txt"), textOf([...crates(), STANDARD_LIBRARY]));
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href)
+  await main(async () => {
+    checkNode();
+    await ensurePackages();
+    await assemble();
+  });

@@ -1,0 +1,289 @@
+// `npm test -- package`: what `npm pack` makes, installed in empty folders and used as README.md says: in Node, in a page,
+// in a worker, and with Vite, built and while developing. The examples that run are the README's own.
+
+import { spawnSync } from "node:child_process";
+import { createReadStream, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { dirname, extname, join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromiumFlags, ensureChromium } from "./lib/chromium.mjs";
+import { freePort } from "./lib/drivers.mjs";
+import { heading, main, Obstacle, root } from "./lib/process.mjs";
+
+const TRIED = join(root, "target", "package");
+const PATIENCE_MILLIS = 120_000;
+
+/** @typedef {{ folder: string, open: (address: string) => Promise<string> }} Place */
+
+/** @type {readonly (readonly [string, (place: Place) => Promise<void>])[]} */
+const CHECKS = [
+  [
+    "two polygons are matched in Node",
+    async ({ folder }) => {
+      write(folder, "match.mjs", example("match.mjs"));
+      matched(program(folder, process.execPath, ["match.mjs"]));
+    },
+  ],
+  [
+    "two meshes are matched in Node",
+    async ({ folder }) => {
+      write(folder, "solid.mjs", example("solid.mjs"));
+      solid(program(folder, process.execPath, ["solid.mjs"]));
+    },
+  ],
+  [
+    "the types are there for what the examples use",
+    async ({ folder }) => {
+      write(folder, "typed.ts", TYPED);
+      const tsc = join(root, "node_modules", "typescript", "bin", "tsc");
+      const strict = ["--noEmit", "--strict", "--module", "nodenext", "--target", "es2022", "--ignoreConfig"];
+      program(folder, process.execPath, [tsc, ...strict, "typed.ts"]);
+    },
+  ],
+  [
+    "two polygons are matched in a page",
+    async ({ folder, open }) => {
+      write(folder, "index.html", `${example("index.html")}<link rel="icon" href="data:,">`);
+      await serving(folder, async (address) => matched(await open(address)));
+    },
+  ],
+  [
+    "two polygons are matched in a worker",
+    async ({ folder, open }) => {
+      write(folder, "worker.mjs", example("worker.mjs"));
+      write(folder, "worker/index.html", `<link rel="icon" href="data:,"><script type="module">${ASKED}</script>`);
+      await serving(folder, async (address) => matched(await open(`${address}worker/`)));
+    },
+  ],
+  ["two polygons are matched with Vite", async (place) => withVite(place, example("main.js"), fits)],
+  [
+    "two meshes are matched with Vite",
+    async (place) => {
+      const named = `import wasm from "thinshell/solid/thinshell_bg.wasm?url";\nawait init({ module_or_path: wasm });`;
+      await withVite(place, example("solid.mjs").replace("await init();", named), solid);
+    },
+  ],
+];
+
+/** @returns {Promise<{ passed: number, failed: number }>} */
+export async function tryPackage() {
+  rmSync(TRIED, { recursive: true, force: true });
+  mkdirSync(TRIED, { recursive: true });
+  program(root, "npm", ["pack", "--silent", "--pack-destination", TRIED]);
+  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const folder = join(TRIED, "project");
+  write(folder, "package.json", JSON.stringify({ private: true, type: "module" }));
+  // It needs no other package, so nothing is to be asked of anybody.
+  program(folder, "npm", ["install", "--offline", "--no-audit", "--no-fund", `../thinshell-${version}.tgz`]);
+
+  const { chromium } = await import("@playwright/test");
+  const browser = await chromium.launch({ executablePath: await ensureChromium(), args: chromiumFlags() });
+  const count = { passed: 0, failed: 0 };
+  const open = (/** @type {string} */ address) => firstWords(browser, address);
+  try {
+    for (const [title, check] of CHECKS) {
+      try {
+        await check({ folder, open });
+        console.log(`  ✓ ${title}`);
+        count.passed += 1;
+      } catch (error) {
+        console.log(`  ✗ ${title}\n    ${error instanceof Error ? error.message : String(error)}`);
+        count.failed += 1;
+      }
+    }
+  } finally {
+    await browser.close();
+  }
+  return count;
+}
+
+const TYPED = `import init, { Registration, type Settings, type Shape, type Status } from "thinshell";
+import { SETTINGS } from "thinshell/settings";
+import * as solid from "thinshell/solid";
+const settings: Partial<Settings> = { finest: 5 };
+const shape: Shape = { kind: "curves", loops: [] };
+export async function once(): Promise<Status> {
+  await init();
+  return (await Registration.create(shape, shape, settings)).step(1);
+}
+export const vertices = (made: solid.Registration): Float32Array => made.surfaces().matched.positions;
+// @ts-expect-error: there is no such setting
+export const wrong: Partial<Settings> = { finesse: 5 };
+export default SETTINGS;
+`;
+
+/** Asks the README's worker, and says what the README's page says. */
+const ASKED = `
+  const shape = (...points) => ({ kind: "curves", loops: [Float64Array.from(points)] });
+  const worker = new Worker("../worker.mjs", { type: "module" });
+  worker.onmessage = ({ data: { status, deformation } }) => console.log(status.stop, status.mismatch.max, deformation);
+  worker.postMessage({
+    reference: shape(0.4, 0.4, 0.6, 0.4, 0.5, 0.6),
+    template: shape(0.35, 0.4, 0.65, 0.4, 0.6, 0.65),
+    settings: { finest: 5 },
+  });
+`;
+
+/**
+ * A code block of README.md, by the name that its first line gives it.
+ *
+ * @param {string} name
+ */
+function example(name) {
+  const text = readFileSync(join(root, "README.md"), "utf8");
+  const found = text.split(/(?<=\n)(?=```)/).find((part) => {
+    const [, first] = part.split("\n", 2);
+    return [`// ${name}`, `<!-- ${name}`].some((begin) => first?.startsWith(begin));
+  });
+  if (found === undefined) throw new Error(`README.md has no example that begins with its name, ${name}.`);
+  return found.replace(/^```\w+\n/, "");
+}
+
+/** @param {string} said */
+function matched(said) {
+  const most = Number(/^[A-Z].*\.\s+([\d.e-]+)\s/.exec(said)?.[1]);
+  expect(most < 0.5, `the largest distance is ${most} cells: ${said}`);
+}
+
+/** @param {string} said */
+function solid(said) {
+  const [, least, numbers] = /\.\s+([\d.e-]+)\s+(\d+)\s*$/.exec(said) ?? [];
+  expect(Number(least) > 0 && Number(numbers) > 300, `this tells of no surface: ${said}`);
+}
+
+/** @param {string} said */
+function fits(said) {
+  expect(said.startsWith("Fits"), `this tells of no match that fits: ${said}`);
+}
+
+/**
+ * A project of one script, built and looked at, and looked at while developing: Vite bundles packages differently then.
+ *
+ * @param {Place} place
+ * @param {string} script
+ * @param {(said: string) => void} judge
+ */
+async function withVite({ folder, open }, script, judge) {
+  write(folder, "vite/index.html", `<link rel="icon" href="data:,"><script type="module" src="/main.js"></script>`);
+  write(folder, "vite/main.js", script);
+  const { build, createServer: developing, preview } = await import("vite");
+  const project = {
+    root: join(folder, "vite"),
+    configFile: /** @type {const} */ (false),
+    logLevel: /** @type {const} */ ("warn"),
+  };
+  const port = await freePort();
+  await build({ ...project, build: { target: "es2022" } });
+  const built = await preview({ ...project, preview: { port, strictPort: true } });
+  try {
+    judge(await open(`http://localhost:${port}/`));
+  } finally {
+    await built.close();
+  }
+  const served = await developing({ ...project, server: { port, strictPort: true, hmr: false, watch: null } });
+  try {
+    await served.listen();
+    judge(await open(`http://localhost:${port}/`));
+  } finally {
+    await served.close();
+  }
+}
+
+/**
+ * What the page at the address says first in its console; rejects where something goes wrong in it.
+ *
+ * @param {import("@playwright/test").Browser} browser
+ * @param {string} address
+ * @returns {Promise<string>}
+ */
+async function firstWords(browser, address) {
+  const page = await browser.newPage();
+  try {
+    const said = new Promise((resolve, reject) => {
+      page.on("console", (message) => {
+        if (message.type() === "log") resolve(message.text());
+        if (message.type() === "error") reject(new Error(message.text()));
+      });
+      page.on("pageerror", reject);
+      setTimeout(() => reject(new Error(`${address} said nothing`)), PATIENCE_MILLIS).unref();
+    });
+    await page.goto(address);
+    return await said;
+  } finally {
+    await page.close();
+  }
+}
+
+const TYPES = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".mjs": "text/javascript",
+  ".wasm": "application/wasm",
+};
+
+/**
+ * A static server for a folder, while something is done with it.
+ *
+ * @param {string} folder
+ * @param {(address: string) => Promise<void>} work
+ */
+async function serving(folder, work) {
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url ?? "/", "http://localhost");
+    const file = join(folder, pathname.endsWith("/") ? `${pathname}index.html` : pathname);
+    if (!statSync(file, { throwIfNoEntry: false })?.isFile()) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.setHeader("Content-Type", Reflect.get(TYPES, extname(file)) ?? "application/octet-stream");
+    createReadStream(file).pipe(response);
+  });
+  const port = await freePort();
+  await new Promise((resolve) => server.listen(port, () => resolve(undefined)));
+  try {
+    await work(`http://localhost:${port}/`);
+  } finally {
+    server.close();
+    server.closeAllConnections();
+  }
+}
+
+/**
+ * @param {string} folder
+ * @param {string} name
+ * @param {string} text
+ */
+function write(folder, name, text) {
+  const file = join(folder, name);
+  mkdirSync(dirname(file), { recursive: true });
+  writeFileSync(file, text);
+}
+
+/**
+ * Runs a program and gives what it prints; throws it where it fails.
+ *
+ * @param {string} folder
+ * @param {string} command
+ * @param {readonly string[]} args
+ */
+function program(folder, command, args) {
+  const shell = process.platform === "win32" && command === "npm";
+  const { status, stdout, stderr } = spawnSync(command, args, { cwd: folder, encoding: "utf8", shell });
+  if (status !== 0) throw new Error(`\`${[command, ...args].join(" ")}\` failed:\n${stdout}${stderr}`);
+  return stdout;
+}
+
+/**
+ * @param {boolean} holds
+ * @param {string} otherwise
+ */
+function expect(holds, otherwise) {
+  if (!holds) throw new Error(otherwise);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href)
+  await main(async () => {
+    heading("the package");
+    const { failed } = await tryPackage();
+    if (failed > 0) throw new Obstacle("The package does not do what README.md says; the list is above.");
+  });

@@ -25,6 +25,12 @@ pub const RESOLVED: f64 = 2.0;
 /// The finest grid that is offered: the next one takes minutes.
 const FINEST_OFFERED: u32 = 9;
 
+/// Numbers of a verdict's facts, and of those of [`Unresolved`].
+pub const FACTS: usize = 6 + NARROW;
+pub const NARROW: usize = 6;
+/// Where a list of facts has nothing to say, its first number is this one.
+pub const NO_FACT: f64 = -1.0;
+
 /// What is to be known of a pair of shapes before it is matched.
 #[derive(Clone, Debug)]
 pub struct Pair {
@@ -57,6 +63,28 @@ pub struct Unresolved {
     pub is_gap: bool,
     /// The level of the least fine grid that resolves it, if there is one.
     pub level: Option<u32>,
+}
+
+/// What a match came to: in words, and for those who say it in another language.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    pub words: String,
+    /// What the words are made of, besides what the report holds: the [`Kind`], what is counted of both shapes, then where
+    /// the largest distance is (0 hole, 1 part, 2 outline of the template, 3 the moved reference; x, y), then what
+    /// [`Unresolved::facts`] gives; [`NO_FACT`] stands for what the words do not say.
+    pub facts: [f64; FACTS],
+}
+
+/// What a match can come to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Parts,
+    NotReached,
+    Holes,
+    Crumpled,
+    Fits,
+    Unresolved,
+    Misfit,
 }
 
 /// What the match missed of the template.
@@ -103,43 +131,65 @@ impl Pair {
     }
 
     /// What a match on the grid of `level` came to.
-    pub fn verdict(&self, level: u32, report: &Report<2>) -> String {
+    pub fn verdict(&self, level: u32, report: &Report<2>) -> Verdict {
+        let kind = self.kind(level, report);
+        let [from, to] = self.parts();
+        let (mismatch, cover) = (&report.mismatch, &report.cover);
+        let counts = if kind == Kind::Holes { [from.holes, to.holes] } else { [from.bodies, to.bodies] };
+        let unlike = |noun| {
+            let [from, to] = counts.map(|count| counted(count, noun));
+            let distances = self.distances(report);
+            format!("{} against {to}: no deformation takes the one shape to the other. {distances}", capital(from))
+        };
+        let hint = match kind {
+            Kind::NotReached | Kind::Unresolved => self.unresolved(level),
+            _ => None,
+        };
+        let words = match (kind, hint) {
+            (Kind::Parts, _) => unlike("part"),
+            (Kind::Holes, _) => unlike("hole"),
+            (Kind::NotReached, hint) => {
+                let missed = self.missed(DVec2::from(cover.at));
+                let hint = hint.map_or_else(String::new, |unresolved| format!(" {}", unresolved.sentence()));
+                format!("Fits but {missed} was not reached: it is {} cells away.{hint}", fixed(cover.max, 1))
+            }
+            (Kind::Crumpled, _) => {
+                format!("Crumpled (measure {}). {}", fixed(report.measure, 2), self.distances(report))
+            }
+            (Kind::Fits, _) => format!("Fits: nowhere more than {} cells off.", fixed(mismatch.max.max(cover.max), 2)),
+            (_, Some(unresolved)) => format!("Not resolved by this grid: {unresolved}. {}", self.distances(report)),
+            (_, None) => format!("Does not fit. {}", self.distances(report)),
+        };
+        let (place, at) = if cover.max > mismatch.max {
+            self.missed(DVec2::from(cover.at)).facts()
+        } else {
+            (3.0, DVec2::from(mismatch.at))
+        };
+        let [shape, width, x, y, part, finer] = Unresolved::facts(hint.as_ref());
+        let [from, to] = counts.map(|count| count as f64);
+        Verdict { words, facts: [f64::from(kind as u8), from, to, place, at.x, at.y, shape, width, x, y, part, finer] }
+    }
+
+    fn kind(&self, level: u32, report: &Report<2>) -> Kind {
         let [from, to] = self.parts();
         let (mismatch, cover) = (&report.mismatch, &report.cover);
         let close = mismatch.max <= CLOSE;
-        if from.bodies != to.bodies {
-            return format!(
-                "{} against {}: no deformation takes the one shape to the other. {}",
-                capital(counted(from.bodies, "part")),
-                counted(to.bodies, "part"),
-                self.distances(report),
-            );
-        }
-        if close && cover.max > COVERED {
-            let missed = self.missed(DVec2::from(cover.at));
-            let hint =
-                self.unresolved(level).map_or_else(String::new, |unresolved| format!(" {}", unresolved.sentence()));
-            return format!("Fits but {missed} was not reached: it is {} cells away.{hint}", fixed(cover.max, 1));
-        }
-        if from.holes != to.holes {
-            return format!(
-                "{} against {}: no deformation takes the one shape to the other. {}",
-                capital(counted(from.holes, "hole")),
-                counted(to.holes, "hole"),
-                self.distances(report),
-            );
-        }
         let fits = close && cover.max <= COVERED;
-        if fits && report.measure > CRUMPLED || !fits && report.measure > 1.2 {
-            return format!("Crumpled (measure {}). {}", fixed(report.measure, 2), self.distances(report));
+        if from.bodies != to.bodies {
+            Kind::Parts
+        } else if close && cover.max > COVERED {
+            Kind::NotReached
+        } else if from.holes != to.holes {
+            Kind::Holes
+        } else if fits && report.measure > CRUMPLED || !fits && report.measure > 1.2 {
+            Kind::Crumpled
+        } else if fits && report.measure >= LEFT_OUT {
+            Kind::Fits
+        } else if self.unresolved(level).is_some() {
+            Kind::Unresolved
+        } else {
+            Kind::Misfit
         }
-        if fits && report.measure >= LEFT_OUT {
-            return format!("Fits: nowhere more than {} cells off.", fixed(mismatch.max.max(cover.max), 2));
-        }
-        if let Some(unresolved) = self.unresolved(level) {
-            return format!("Not resolved by this grid: {unresolved}. {}", self.distances(report));
-        }
-        format!("Does not fit. {}", self.distances(report))
     }
 
     fn distances(&self, report: &Report<2>) -> String {
@@ -171,6 +221,24 @@ impl Pair {
 impl Unresolved {
     pub fn sentence(&self) -> String {
         format!("{}.", capital(self.to_string()))
+    }
+
+    /// What the words are made of: whether it is the template's, the width in cells, x, y, whether it is a gap, the level
+    /// or 0.
+    pub fn facts(found: Option<&Self>) -> [f64; NARROW] {
+        let Some(Self { shape, width, at, is_gap, level }) = found else { return [NO_FACT; NARROW] };
+        let flag = |flag: bool| f64::from(u8::from(flag));
+        [flag(*shape == "template"), *width, at.x, at.y, flag(*is_gap), f64::from(level.unwrap_or(0))]
+    }
+}
+
+impl Missed {
+    fn facts(self) -> (f64, DVec2) {
+        match self {
+            Self::Hole(at) => (0.0, at),
+            Self::Part(at) => (1.0, at),
+            Self::Outline(at) => (2.0, at),
+        }
     }
 }
 
@@ -248,6 +316,10 @@ mod tests {
 
     /// Of the displacement `u`.
     fn moved(from: &[Vec<DVec2>], to: &[Vec<DVec2>], u: impl Fn([f64; 2]) -> [f64; 2]) -> String {
+        judged(from, to, u).words
+    }
+
+    fn judged(from: &[Vec<DVec2>], to: &[Vec<DVec2>], u: impl Fn([f64; 2]) -> [f64; 2]) -> Verdict {
         let (from, to) = (shape(from), shape(to));
         let displacement: Vec<f64> =
             (0..from.grid().node_count()).flat_map(|node| u(from.grid().position(node))).collect();
@@ -318,6 +390,24 @@ mod tests {
         let unresolved = pair.unresolved(LEVEL).unwrap();
         assert_eq!(unresolved.level, None);
         assert!(unresolved.to_string().contains("not even a grid of 513² resolves it"), "{unresolved}");
+    }
+
+    #[test]
+    fn facts_tell_what_the_words_tell() {
+        let (square, cut) = (slit(0.25), slit(0.8 / 128.0));
+        let Verdict { words, facts } = judged(&[square], &[cut], |_| [0.0; 2]);
+        let [kind, from, to, _, x, y, shape, width, _, _, part, level] = facts;
+        assert_eq!([kind, from, to, shape, part, level], [5.0, 1.0, 1.0, 1.0, 1.0, 9.0], "{words}");
+        assert!((0.75..0.85).contains(&width) && words.contains(&place(DVec2::new(x, y))), "{facts:?}: {words}");
+
+        let disc = [circle([0.5; 2], 0.3)];
+        let Verdict { facts, .. } = judged(&disc, &disc, |_| [0.0; 2]);
+        assert_eq!((facts[0], &facts[6..]), (4.0, &[NO_FACT; NARROW][..]));
+
+        let ring = [circle([0.5; 2], 0.3), circle([0.5; 2], 0.1)];
+        let Verdict { words, facts } = judged(&ring[..1], &ring, |_| [0.0; 2]);
+        assert_eq!(facts[3], 0.0, "the hole was missed: {words}");
+        assert!((facts[4] - 0.5).hypot(facts[5] - 0.5) < 0.01, "{facts:?}");
     }
 
     #[test]

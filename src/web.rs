@@ -11,9 +11,9 @@ mod space;
 mod state;
 mod status;
 
-use crate::verdict::Pair;
 #[cfg(feature = "surfaces")]
 use crate::verdict::SolidPair;
+use crate::verdict::{Pair, Unresolved};
 use js_sys::Promise;
 use plane::Curves;
 use queue::{Queue, promise};
@@ -221,11 +221,12 @@ pub fn inspect(
     #[cfg(feature = "surfaces")]
     if source.is_solid() {
         let (_, _, [reference, template]) = source.prepare::<3, Nets>()?;
-        return Ok(inspection(SolidPair::new(&reference, &template).unresolved(), None));
+        return Ok(inspection(SolidPair::new(&reference, &template).unresolved(), None, [NO_FACT; NARROW]));
     }
     let (settings, _, [reference, template]) = source.prepare::<2, Curves>()?;
     let unresolved = Pair::new(&reference, &template).unresolved(settings.finest);
-    Ok(inspection(unresolved.map(|found| found.sentence()), unresolved.and_then(|found| found.level)))
+    let (words, level) = (unresolved.map(|found| found.sentence()), unresolved.and_then(|found| found.level));
+    Ok(inspection(words, level, Unresolved::facts(unresolved.as_ref())))
 }
 
 /// Reports panics to the console with their message and place.

@@ -40,7 +40,7 @@ impl Match {
 
     fn verdict(&self) -> String {
         let report = report(&self.reference, &self.template, &self.displacement);
-        Pair::new(&self.reference, &self.template).verdict(LEVEL, &report)
+        Pair::new(&self.reference, &self.template).verdict(LEVEL, &report).words
     }
 }
 

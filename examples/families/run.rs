@@ -91,6 +91,6 @@ pub fn run(pair: &Pair, level: u32) -> Outcome {
         least_determinant: end.evaluation.least_determinant,
         cost,
         millis,
-        verdict: verdict::Pair::new(&shapes[0], &shapes[1]).verdict(level, &quality),
+        verdict: verdict::Pair::new(&shapes[0], &shapes[1]).verdict(level, &quality).words,
     }
 }

@@ -65,6 +65,19 @@ impl Approach {
         matches!(self, Self::Guided | Self::GuidedExchanged)
     }
 
+    /// Its number, for those who say it in another language.
+    pub fn fact(self) -> f64 {
+        f64::from(match self {
+            Self::Direct => 0_u8,
+            Self::Exchanged => 1,
+            Self::Inverted => 2,
+            Self::Sharpened(_) => 3,
+            Self::SharpenedExchanged => 4,
+            Self::Guided => 5,
+            Self::GuidedExchanged => 6,
+        })
+    }
+
     /// The settings that it runs with.
     pub(super) fn settings(self, settings: &Settings) -> Settings {
         match self {

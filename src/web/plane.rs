@@ -11,7 +11,7 @@ use crate::error::{Error, ShapeError};
 use crate::hypersurface::image;
 use crate::report::Report;
 use crate::settings::Settings;
-use crate::verdict::Pair;
+use crate::verdict::{Pair, Verdict};
 use glam::DVec2;
 use js_sys::{Array, Float64Array};
 use wasm_bindgen::prelude::*;
@@ -45,7 +45,7 @@ impl Judge<2> for Pair {
         Self::new(reference, template)
     }
 
-    fn judge(&self, level: u32, report: &Report<2>) -> String {
+    fn judge(&self, level: u32, report: &Report<2>) -> Verdict {
         self.verdict(level, report)
     }
 }

@@ -11,7 +11,7 @@ use crate::hypersurface::Hypersurface;
 use crate::report::Report;
 use crate::settings::Settings;
 use crate::surface::{net, normals};
-use crate::verdict::SolidPair;
+use crate::verdict::{FACTS, NO_FACT, SolidPair, Verdict};
 use js_sys::{Float32Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
@@ -48,8 +48,8 @@ impl Judge<3> for SolidPair {
         Self::new(reference, template)
     }
 
-    fn judge(&self, _: u32, report: &Report<3>) -> String {
-        self.verdict(report)
+    fn judge(&self, _: u32, report: &Report<3>) -> Verdict {
+        Verdict { words: self.verdict(report), facts: [NO_FACT; FACTS] }
     }
 }
 

@@ -12,6 +12,7 @@ use crate::ready::ready;
 use crate::report::{Outlines, Report};
 use crate::search::Search;
 use crate::settings::{Pin, Settings};
+use crate::verdict::Verdict;
 use wasm_bindgen::prelude::*;
 
 /// How shapes of one dimension come in and are shown.
@@ -29,7 +30,7 @@ pub(super) trait Shown<const D: usize>: Sized {
 pub(super) trait Judge<const D: usize> {
     fn of(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self;
 
-    fn judge(&self, level: u32, report: &Report<D>) -> String;
+    fn judge(&self, level: u32, report: &Report<D>) -> Verdict;
 }
 
 /// What is worked on.

@@ -5,6 +5,7 @@ use crate::assemble::Evaluation;
 use crate::energy::Energies;
 use crate::report::{Report, Spread};
 use crate::search::SearchProgress;
+use crate::verdict::{FACTS, NARROW, NO_FACT, Verdict};
 use js_sys::{Float64Array, Object};
 use wasm_bindgen::prelude::*;
 
@@ -37,6 +38,11 @@ export interface Status {
   stretch: Stretch;
   /** What the match came to, in words; null while it goes on. */
   verdict: string | null;
+  /**
+   * What these words are made of besides the numbers above, for those who say them in another language: why it ended
+   * (-1 while it goes on), what is tried, and of the verdict what www/words/facts.ts tells.
+   */
+  facts: Float64Array;
 }
 
 /** Weighted energies. */
@@ -67,6 +73,8 @@ export interface Inspection {
   words: string | null;
   /** The least `finest` that resolves them; null where none that is worth its time does. */
   level: number | null;
+  /** What the words are made of; -1 where there are none, or none but these. */
+  facts: Float64Array;
 }
 
 /**
@@ -83,8 +91,14 @@ export interface Evaluation {
 pub(super) fn status<const D: usize>(
     progress: &SearchProgress,
     report: &Report<D>,
-    verdict: Option<String>,
+    verdict: Option<Verdict>,
 ) -> JsValue {
+    let mut facts = [NO_FACT; 2 + FACTS];
+    facts[0] = progress.stop.map_or(NO_FACT, |stop| f64::from(stop as u8));
+    facts[1] = progress.approach.fact();
+    if let Some(Verdict { facts: own, .. }) = &verdict {
+        facts[2..].copy_from_slice(own);
+    }
     object(&[
         ("finished", progress.stop.is_some().into()),
         ("stop", or_null(progress.stop.map(|stop| stop.to_string()))),
@@ -98,13 +112,14 @@ pub(super) fn status<const D: usize>(
         ("cover", spread(&report.cover)),
         ("measure", report.measure.into()),
         ("stretch", object(&[("mean", report.stretch.mean.into()), ("deviation", report.stretch.deviation.into())])),
-        ("verdict", or_null(verdict)),
+        ("verdict", or_null(verdict.map(|verdict| verdict.words))),
+        ("facts", list(&facts)),
     ])
 }
 
-/// What is not resolved, in a sentence, and the level that resolves it.
-pub(super) fn inspection(words: Option<String>, level: Option<u32>) -> JsValue {
-    object(&[("words", or_null(words)), ("level", or_null(level))])
+/// What is not resolved, in a sentence, the level that resolves it, and what the sentence is made of.
+pub(super) fn inspection(words: Option<String>, level: Option<u32>, facts: [f64; NARROW]) -> JsValue {
+    object(&[("words", or_null(words)), ("level", or_null(level)), ("facts", list(&facts))])
 }
 
 pub(super) fn evaluation(evaluated: &Evaluation, mut gradient: Vec<f64>) -> JsValue {
@@ -113,7 +128,7 @@ pub(super) fn evaluation(evaluated: &Evaluation, mut gradient: Vec<f64>) -> JsVa
     }
     object(&[
         ("energies", energies(evaluated)),
-        ("gradient", Float64Array::from(gradient.as_slice()).into()),
+        ("gradient", list(&gradient)),
         ("leastDeterminant", evaluated.least_determinant.into()),
     ])
 }
@@ -142,6 +157,10 @@ pub(super) fn object(fields: &[(&str, JsValue)]) -> JsValue {
         put(&object, name, value);
     }
     object.into()
+}
+
+fn list(numbers: &[f64]) -> JsValue {
+    Float64Array::from(numbers).into()
 }
 
 fn number(count: usize) -> JsValue {

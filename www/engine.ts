@@ -1,5 +1,7 @@
 /** What the solver runs on: its compiled module and workers for it. */
 
+import { en } from "./words/en";
+
 export type Engine = {
   /** The compiled solver, which all workers share: after the load nothing needs the network. */
   module(): Promise<WebAssembly.Module>;
@@ -20,15 +22,13 @@ export function moduleAt(address: string): Engine["module"] {
 
 async function compiled(address: string): Promise<WebAssembly.Module> {
   const answer = await fetch(address).catch(() => {
-    throw new Error("the solver could not be loaded; check the connection, then try again or reload the page");
+    throw new Error(en.solver.offline);
   });
-  if (!answer.ok) throw new Error(`the solver could not be loaded (${answer.status}); reload the page`);
+  if (!answer.ok) throw new Error(en.solver.unanswered(answer.status));
   try {
     return await WebAssembly.compile(await answer.arrayBuffer());
   } catch (problem) {
     const why = problem instanceof Error ? problem.message : String(problem);
-    throw new Error(
-      `the solver could not be loaded, since this browser does not take its WebAssembly (${why}); use a current Firefox, Chrome or Safari, and let the page's security policy allow 'wasm-unsafe-eval'`,
-    );
+    throw new Error(en.solver.untaken(why));
   }
 }

@@ -7,10 +7,10 @@ import { ForcesSwitch } from "./controls/ForcesSwitch";
 import { Guess } from "./controls/Guess";
 import { Import } from "./controls/Import";
 import { Later } from "./controls/Later";
+import { begin, readFile } from "./controls/language";
 import { Morph } from "./controls/Morph";
 import { Present } from "./controls/Present";
 import { Presets } from "./controls/Presets";
-import { Save } from "./controls/Save";
 import { SketchPanel } from "./controls/SketchPanel";
 import { SketchTools } from "./controls/SketchTools";
 import { Stage } from "./controls/Stage";
@@ -26,17 +26,20 @@ import { whenIdle } from "./offline/idle";
 import { changedFields, Session } from "./session";
 import { enter, isSpace, space } from "./space/way";
 import { fetchKit } from "./tools/kit";
-import { fetchHands } from "./tools/tool";
+import { fetchHands, hands } from "./tools/tool";
 import "./style.css";
 import solverUrl from "./wasm/thinshell_bg.wasm?url";
+import { en } from "./words/en";
 import { memory as memoryWords } from "./words/memory";
 import SolverWorker from "./worker?worker&inline";
 
 /** Says that there is a new version of the page, once it is there itself. */
 const news = signal<FunctionComponent | null>(null);
 
-function App({ session }: { session: Session }) {
+function App({ session, onSurfaces }: { session: Session; onSurfaces: () => void }) {
   if (space.value) return <space.value.View />;
+  // Comes with what draws.
+  const Save = hands.value?.Save;
   return (
     <>
       <div class="sketches">
@@ -54,11 +57,11 @@ function App({ session }: { session: Session }) {
         <div class="sight">
           <header>
             <h2 id="outcome-name" class="unseen">
-              Match
+              {en.result.title}
             </h2>
             <ViewPicker session={session} />
             <Present session={session} />
-            <Save session={session} />
+            {Save && <Save session={session} />}
           </header>
           <Stage session={session} />
           <Morph session={session} />
@@ -72,24 +75,24 @@ function App({ session }: { session: Session }) {
         <Caption session={session} />
       </section>
       <div class="choices">
-        <Presets session={session} onSurfaces={() => enterSpace(session)} />
+        <Presets session={session} onSurfaces={onSurfaces} />
         <Settings session={session} />
         <Later
           session={session}
           name="energies"
-          title="Energies over iterations"
+          title={en.parts.energies}
           load={async () => (await import("./controls/EnergyPlot")).EnergyPlot}
         />
         <Later
           session={session}
           name="runs"
-          title="Runs so far"
+          title={en.parts.runs}
           load={async () => (await import("./controls/Earlier")).Earlier}
         />
         <Later
           session={session}
           name="compare"
-          title="Compare side by side"
+          title={en.parts.compare}
           load={async () => (await import("./controls/Compare")).Compare}
         />
         <Later
@@ -110,8 +113,8 @@ function Settings({ session }: { session: Session }) {
     <Later
       session={session}
       name="settings"
-      title="Settings"
-      note={changed > 0 ? `(${changed} changed)` : ""}
+      title={en.parts.settings}
+      note={changed > 0 ? en.parts.changed(changed) : ""}
       load={async () => (await import("./controls/SettingsPanel")).SettingsPanel}
     />
   );
@@ -131,45 +134,60 @@ function shortcuts(session: Session): void {
   });
 }
 
-/** Surfaces in place of curves; the way back finds the curves as they were. */
-function enterSpace(session: Session): void {
-  void enter(session.problem, () => {
-    memory.remember(session.link());
-    if (!session.match.value) session.glance();
-  });
-}
-
 function spawn(): Worker {
   return new SolverWorker({ name: "thinshell solver" });
 }
 
+/** Opens what the address holds, in the language wished for if it came. */
+function start(root: HTMLElement, isSpoken: boolean): void {
+  const memory = new Memory();
+  const isInSpace = isSpace(location.hash);
+  // Then the address is not the curves'.
+  const opened = isInSpace
+    ? { ...open({ hash: "", search: location.search }, memory.found), unwritten: false, later: true }
+    : open(location, memory.found);
+  const session = new Session({ module: moduleAt(solverUrl), spawn }, opened, { view, choose }, memory);
+  if (!opened.later) session.glance();
+  const refuse = () => {
+    session.problem.value = en.missing.sentence(en.missing.language);
+  };
+  if (!isSpoken) refuse();
+  // Surfaces in place of curves; the way back finds the curves as they were.
+  const enterSpace = () =>
+    void enter(session.problem, () => {
+      memory.remember(session.link());
+      if (!session.match.value) session.glance();
+    });
+  shortcuts(session);
+  addEventListener("hashchange", () => {
+    if (isSpace(location.hash)) return enterSpace();
+    space.value?.hide();
+    space.value = null;
+    session.openLink(location.hash);
+  });
+  if (isInSpace) enterSpace();
+  root.replaceChildren();
+  render(<App session={session} onSurfaces={enterSpace} />, root);
+  coming.then(
+    ({ announceChanges, listenForImports, listenForLanguage }) => {
+      announceChanges(session);
+      listenForImports();
+      listenForLanguage(refuse);
+    },
+    (problem: Error) => {
+      session.problem.value = problem.message;
+    },
+  );
+}
+
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no #app");
+readFile("indexFile", "h1, .promise, #method h2, #method p, footer");
 // On its way while the page is drawn, which does not wait for it.
-const hands = fetchHands();
-const memory = new Memory();
-const isInSpace = isSpace(location.hash);
-// Then the address is not the curves'.
-const opened = isInSpace
-  ? { ...open({ hash: "", search: location.search }, memory.found), unwritten: false, later: true }
-  : open(location, memory.found);
-const session = new Session({ module: moduleAt(solverUrl), spawn }, opened, { view, choose }, memory);
-if (!opened.later) session.glance();
-shortcuts(session);
-addEventListener("hashchange", () => {
-  if (isSpace(location.hash)) return enterSpace(session);
-  space.value?.hide();
-  space.value = null;
-  session.openLink(location.hash);
-});
-if (isInSpace) enterSpace(session);
-root.replaceChildren();
-render(<App session={session} />, root);
-hands.then(
-  ({ announceChanges }) => announceChanges(session),
-  (problem: Error) => {
-    session.problem.value = problem.message;
-  },
+const coming = fetchHands();
+begin().then(
+  () => start(root, true),
+  () => start(root, false),
 );
 whenIdle(async () => {
   // A pointer over the result, or a first stroke, will want these. Where they do not come now, they are asked for again

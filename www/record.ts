@@ -11,6 +11,7 @@ import { type Chosen, FIELDS, parseSetting, withSetting } from "./settings";
 import type { Loop, Point, Shape } from "./shapes/geometry";
 import { FORMAT } from "./shapes/import/format";
 import { isInBox, MOST_PINS, type Pin, type Shapes } from "./shapes/pins";
+import { files as say } from "./words/files";
 
 export type SavedMatch = Pick<FrameReply, "status" | "deformation" | "curves">;
 
@@ -34,7 +35,7 @@ export function encodeRecord({ reference, template, pins, settings, match }: Mat
     match:
       match !== null && isSound(match)
         ? {
-            report: match.status,
+            report: { ...match.status, facts: [...match.status.facts] },
             deformation: [...match.deformation],
             curves: {
               reference: match.curves.reference.map(pairs),
@@ -50,18 +51,18 @@ export function encodeRecord({ reference, template, pins, settings, match }: Mat
 export function decodeRecord(content: unknown): MatchRecord {
   const record = object(content, "the file");
   if (record.version !== VERSION) {
-    throw new Error(`The file is of version ${String(record.version)}; this page reads version ${VERSION}.`);
+    throw new Error(say.version(String(record.version), VERSION));
   }
   const reference = shape(object(record.reference, "reference").loops, "reference");
   const template = shape(object(record.template, "template").loops, "template");
   // Files of before there were pins have none.
   const pins = list(record.pins ?? [], "pins").map(pinFrom);
-  if (pins.length > MOST_PINS) throw damaged(`it has more than ${MOST_PINS} pins`);
+  if (pins.length > MOST_PINS) throw damaged(say.manyPins(MOST_PINS));
   let settings: Chosen = {};
   const given = object(record.settings ?? {}, "settings");
   for (const [name, value] of Object.entries(given)) {
     const field = FIELDS.find((candidate) => candidate.name === name);
-    if (!field) throw new Error(`The file has a setting “${name}”, which this page does not know.`);
+    if (!field) throw new Error(say.setting(name));
     settings = withSetting(settings, field, parseSetting(field, String(value)));
   }
   return { reference, template, pins, settings, match: record.match === null ? null : savedMatch(record.match) };
@@ -72,7 +73,7 @@ function pinFrom(content: unknown, index: number): Pin {
   const end = (side: "reference" | "template"): Point => {
     const name = `pin ${index + 1}, ${side}`;
     const [x, y, ...more] = list(pin[side], name).map((value) => number(value, name));
-    if (more.length > 0 || !isInBox(x) || !isInBox(y)) throw damaged(`${name} is no point of the box`);
+    if (more.length > 0 || !isInBox(x) || !isInBox(y)) throw damaged(say.outside(name));
     return { x, y };
   };
   return { reference: end("reference"), template: end("template") };
@@ -109,18 +110,20 @@ function savedMatch(content: unknown): SavedMatch {
   const missing = Object.entries(UNMEASURED).filter(([name]) => !(name in report));
   const known = { ...(report as unknown as Status), ...Object.fromEntries(missing) };
   const found = { ...known, ...Object.fromEntries(measured) };
-  const status = { ...found, stop, verdict, finished: true };
+  // Sentences in another language than the file's come from them; without, the file's own are shown.
+  const facts = Float64Array.from(
+    Array.isArray(report.facts) && report.facts.every(Number.isFinite) ? report.facts : [],
+  );
+  const status = { ...found, stop, verdict, facts, finished: true };
   const deformation = Float64Array.from(list(match.deformation, "match.deformation"), (value, i) =>
     number(value, `match.deformation[${i}]`),
   );
   const side = 2 ** level + 1;
   if (deformation.length !== 2 * side * side) {
-    throw new Error(
-      `The deformation has ${deformation.length} numbers, but level ${level} needs ${2 * side * side}; save it again.`,
-    );
+    throw new Error(say.deformation(deformation.length, level, 2 * side * side));
   }
   if (!(number(report.leastDeterminant, "match.report.leastDeterminant") > 0) || folds(deformation, side)) {
-    throw new Error("The deformation folds the plane, which no match of this page does; save it again.");
+    throw new Error(say.folded);
   }
   const outlines = object(match.curves, "match.curves");
   const curves: Curves = {
@@ -130,7 +133,7 @@ function savedMatch(content: unknown): SavedMatch {
   };
   const partners = curves.reference.every((loop, i) => loop.length === curves.matched[i]?.length);
   if (!partners || curves.reference.length !== curves.matched.length) {
-    throw new Error("The matched curves have not the points of the reference; save the match again.");
+    throw new Error(say.unlike);
   }
   return { status, deformation, curves };
 }
@@ -190,7 +193,7 @@ function shape(content: unknown, name: string): Shape {
     const out = new Float64Array(2 * points.length);
     points.forEach((point, i) => {
       const [x, y, ...more] = list(point, `${name}, loop ${l + 1}, point ${i + 1},`);
-      if (more.length > 0) throw damaged(`${name}, loop ${l + 1}, point ${i + 1} has more than two numbers`);
+      if (more.length > 0) throw damaged(say.manyNumbers(`${name}, loop ${l + 1}, point ${i + 1}`));
       out[2 * i] = number(x, `${name}, loop ${l + 1}, point ${i + 1}`);
       out[2 * i + 1] = number(y, `${name}, loop ${l + 1}, point ${i + 1}`);
     });
@@ -200,17 +203,17 @@ function shape(content: unknown, name: string): Shape {
 
 function object(value: unknown, name: string): Record<string, unknown> {
   if (typeof value === "object" && value !== null && !Array.isArray(value)) return value as Record<string, unknown>;
-  throw damaged(`${name} is missing or of the wrong kind`);
+  throw damaged(say.missing(name));
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
   if (Array.isArray(value)) return value;
-  throw damaged(`${name} is no list`);
+  throw damaged(say.noList(name));
 }
 
 function number(value: unknown, name: string): number {
   if (typeof value === "number" && Number.isFinite(value)) return value;
-  throw damaged(`${name} is no number`);
+  throw damaged(say.noNumber(name));
 }
 
 /** JSON has no word for what is no number but null. */
@@ -221,9 +224,9 @@ function measure(value: unknown, name: string): number {
 function whole(value: unknown, name: string, most = Number.MAX_SAFE_INTEGER): number {
   const found = number(value, name);
   if (Number.isInteger(found) && found >= 0 && found <= most) return found;
-  throw damaged(`${name} is ${found}, which no match has`);
+  throw damaged(say.strange(name, found));
 }
 
 function damaged(what: string): Error {
-  return new Error(`The file is damaged: ${what}; save it again.`);
+  return new Error(say.damaged(what));
 }

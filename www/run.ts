@@ -12,6 +12,7 @@ import { type Chosen, coarsestLevel, complete, finestLevel, sameSettings } from 
 import type { Shape } from "./shapes/geometry";
 import { flat, type Pin, type Shapes } from "./shapes/pins";
 import { Solver } from "./solver";
+import { en } from "./words/en";
 
 /** What a match is computed from. */
 export type Inputs = Shapes & { readonly settings: Chosen };
@@ -86,10 +87,7 @@ export class Run {
         this.inspection.value = inspection;
       },
       unavailable: (message) => this.fail(sentence(message)),
-      crashed: (message) =>
-        this.fail(
-          `The solver stopped unexpectedly (${message}). Your shapes are kept; press Match to try again with a fresh one.`,
-        ),
+      crashed: (message) => this.fail(en.solver.stopped(message)),
     });
   }
 

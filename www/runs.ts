@@ -3,6 +3,7 @@
 import { signal } from "@preact/signals";
 import type { Result } from "./run";
 import { type Chosen, FIELDS, sameSettings } from "./settings";
+import { written } from "./words/numbers";
 
 export type KeptRun = Result & { readonly id: number };
 
@@ -45,6 +46,6 @@ export function choiceWords(chosen: Chosen, other: Chosen): readonly string[] {
   return FIELDS.filter(({ name }) => !sameSettings({ [name]: chosen[name] }, { [name]: other[name] })).map((field) => {
     const value = chosen[field.name] ?? field.initial;
     const text = field.kind === "choice" ? field.options.find((option) => option.value === value)?.label : value;
-    return `${field.label} ${String(text ?? value).replace("-", "−")}`;
+    return `${field.label} ${written(String(text ?? value))}`;
   });
 }

@@ -320,7 +320,10 @@ export class Session {
 
   /** The same as an address of this page. */
   address(): string {
-    return addressOf(this.link());
+    const url = new URL(addressOf(this.link()));
+    // Whoever opens it reads it in a language of theirs.
+    url.searchParams.delete("lang");
+    return url.href;
   }
 
   /** To be called when the match has been drawn. */

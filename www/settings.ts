@@ -2,6 +2,8 @@
 
 import type { Settings } from "./protocol";
 import { SETTINGS, type Setting } from "./wasm/settings.js";
+import { page } from "./words/language";
+import { links as say } from "./words/links";
 
 type Common = {
   readonly name: Exclude<keyof Settings, "pins">;
@@ -30,6 +32,9 @@ export type SettingField = NumberSetting | ChoiceSetting;
 export type Chosen = Partial<Settings>;
 
 export const FIELDS: readonly SettingField[] = SETTINGS.filter((setting) => setting.onPage).flatMap(fieldOf);
+
+// In other languages than the solver's.
+page("settings", Object.fromEntries(FIELDS.map((field) => [field.name, field])));
 
 function fieldOf(setting: Setting): SettingField[] {
   // The page has its own way to set pins: by hand.
@@ -61,11 +66,11 @@ export function parseSetting(field: SettingField, text: string): number | string
     const option = field.options.find((candidate) => String(candidate.value) === text);
     if (option) return option.value;
     const known = field.options.map((candidate) => candidate.value).join(", ");
-    throw new Error(`${field.label} is “${given}”, but must be one of ${known}`);
+    throw new Error(say.noChoice(field.label, given, known));
   }
   const value = text.trim() === "" ? Number.NaN : Number(text);
   if (!(value >= field.least && value <= field.most)) {
-    throw new Error(`${field.label} is “${given}”, but must be a number from ${field.least} to ${field.most}`);
+    throw new Error(say.noNumber(field.label, given, field.least, field.most));
   }
   return value;
 }

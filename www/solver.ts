@@ -5,6 +5,7 @@
 
 import type { Engine } from "./engine";
 import type { AnyFrame, FrameReply, Inspection, Reply, Request, Settings, Shape } from "./protocol";
+import { en } from "./words/en";
 
 export type SolverEvents<Frame extends AnyFrame = FrameReply> = {
   /** The worker has the solver. */
@@ -21,9 +22,6 @@ export type SolverEvents<Frame extends AnyFrame = FrameReply> = {
 
 /** How long a worker may go on with what it was doing after it has been told to do something else. */
 export const PATIENCE_MILLIS = 400;
-
-const NO_WORKER =
-  "The solver could not be started, because the browser refuses the page's worker. Reload the page, and let its security policy allow “worker-src blob:”; a browser extension may forbid workers, too";
 
 export class Solver<Frame extends AnyFrame = FrameReply> {
   private readonly engine: Engine;
@@ -125,7 +123,7 @@ export class Solver<Frame extends AnyFrame = FrameReply> {
       worker = this.engine.spawn();
     } catch {
       // Not at once: whoever makes a solver is not yet ready to hear of it.
-      queueMicrotask(() => this.events.unavailable(NO_WORKER));
+      queueMicrotask(() => this.events.unavailable(en.solver.refused));
       return;
     }
     this.worker = worker;
@@ -167,7 +165,7 @@ export class Solver<Frame extends AnyFrame = FrameReply> {
   /** A worker that ran the solver gets a successor; one that never did would get an endless row of them. */
   private lost(message: string): void {
     if (!this.ready) {
-      this.fail(message ? `${NO_WORKER} (${message})` : NO_WORKER);
+      this.fail(message ? `${en.solver.refused} (${message})` : en.solver.refused);
       return;
     }
     this.end();

@@ -1,6 +1,7 @@
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
 import { VIEWS } from "../../www/view/names";
+import { en } from "../../www/words/en";
 import { button, finished, paint, picture, result, surface, watch } from "./handles";
 
 const EASY = "./#v=1&preset=ellipse&finest=6";
@@ -26,7 +27,8 @@ test("every view paints the match in its own way, with a legend for its colours"
   await matched(page);
   const pixels = () => picture(result(page));
   const pictures = new Set([await pixels()]);
-  for (const { view, label } of VIEWS.slice(1)) {
+  for (const view of VIEWS.slice(1)) {
+    const label = en.views[view];
     await picker(page).selectOption(label);
     await expect(picker(page)).toHaveValue(view);
     await expect.poll(async () => pictures.has(await pixels())).toBe(false);

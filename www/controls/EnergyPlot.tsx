@@ -6,6 +6,7 @@ import type { Iteration } from "../protocol";
 import type { Session } from "../session";
 import { matchAt } from "../view/past";
 import { en } from "../words/en";
+import { language } from "../words/language";
 import { later } from "../words/later";
 import { decimals, power } from "../words/numbers";
 import { gridName } from "../words/said";
@@ -20,15 +21,16 @@ const HEIGHT = 240;
 
 /** Dashes besides colours, for eyes and printers that tell no colours apart. */
 const TERMS = [
-  { name: "total", label: later.energies.total, colour: "ink", dash: [] },
-  { name: "membrane", label: en.terms.names.membrane, colour: "reference", dash: [8, 3] },
-  { name: "bending", label: en.terms.names.bending, colour: "bending", dash: [2, 3] },
-  { name: "mismatch", label: en.terms.names.mismatch, colour: "template", dash: [] },
-  { name: "volume", label: en.terms.names.volume, colour: "volume", dash: [8, 3, 2, 3] },
+  { name: "total", colour: "ink", dash: [] },
+  { name: "membrane", colour: "reference", dash: [8, 3] },
+  { name: "bending", colour: "bending", dash: [2, 3] },
+  { name: "mismatch", colour: "template", dash: [] },
+  { name: "volume", colour: "volume", dash: [8, 3, 2, 3] },
 ] as const;
 
 /** All terms of the energy over all iterations, logarithmic, with a line where a finer grid begins. */
 export function EnergyPlot({ session }: { session: Session }) {
+  const spoken = language.value;
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = place.current;
@@ -54,7 +56,8 @@ export function EnergyPlot({ session }: { session: Session }) {
       scheme.removeEventListener("change", make);
       plot?.destroy();
     };
-  }, [session]);
+    // What the plot says is its own.
+  }, [session, spoken]);
   return (
     <figure class="energy-plot">
       <div ref={place} role="img" aria-label={later.energies.title} />
@@ -134,9 +137,9 @@ function options(element: HTMLElement, history: () => readonly Iteration[]): uPl
     ],
     series: [
       { label: later.energies.iteration },
-      ...TERMS.map(({ label, colour: name, dash }) => ({
-        label,
-        stroke: colour(name),
+      ...TERMS.map(({ name, colour: own, dash }) => ({
+        label: name === "total" ? later.energies.total : en.terms.names[name],
+        stroke: colour(own),
         dash: [...dash],
         width: 1.75,
         points: { show: false },

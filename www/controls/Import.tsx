@@ -2,8 +2,9 @@ import { useSignal } from "@preact/signals";
 import type { FunctionComponent } from "preact";
 import { useEffect } from "preact/hooks";
 import type { Session, Side } from "../session";
+import { en } from "../words/en";
 import { fetched } from "./fetched";
-import { importing, listenForImports } from "./importing";
+import { importing } from "./imported";
 
 type Dialog = FunctionComponent<{ session: Session }>;
 
@@ -13,8 +14,8 @@ export function ImportButton({ side }: { side: Side }) {
     <button
       type="button"
       class="quiet import-button"
-      aria-label={`Import ${side}`}
-      title={`Take the ${side} from a drawing, a picture, a list of points or the gallery`}
+      aria-label={en.imports.of(side)}
+      title={en.imports.help(side)}
       onClick={() => {
         importing.value = { side, input: null };
       }}
@@ -22,7 +23,7 @@ export function ImportButton({ side }: { side: Side }) {
       <svg viewBox="0 0 16 16" aria-hidden="true">
         <path d="M8 2v8M4.5 6.8 8 10.3l3.5-3.5M2.5 11v2.5h11V11" />
       </svg>
-      <span>Import</span>
+      <span>{en.imports.name}</span>
     </button>
   );
 }
@@ -30,11 +31,10 @@ export function ImportButton({ side }: { side: Side }) {
 /** The import dialog, fetched when it is first needed: readers of six formats are no part of the first load. */
 export function Import({ session }: { session: Session }) {
   const dialog = useSignal<Dialog | null>(null);
-  useEffect(listenForImports, []);
   const wanted = importing.value !== null;
   useEffect(() => {
     if (!wanted || dialog.value) return;
-    fetched("The import", () => import("./ImportDialog")).then(
+    fetched(en.imports.what, () => import("./ImportDialog")).then(
       (loaded) => {
         dialog.value = loaded.ImportDialog;
       },
@@ -50,7 +50,7 @@ export function Import({ session }: { session: Session }) {
     <Loaded session={session} />
   ) : (
     <p class="coming" aria-live="polite">
-      Loading the import …
+      {en.imports.loading}
     </p>
   );
 }

@@ -5,13 +5,16 @@ import type { Session, Side } from "../session";
 import type { Outcome } from "../shapes/import/content";
 import type { FoundShapes } from "../shapes/import/found";
 import { type Read, Reader } from "../shapes/import/reader";
+import { en } from "../words/en";
+import { imports as say } from "../words/imports";
 import { later } from "../words/later";
+import { gridName } from "../words/said";
 import { adopt } from "./adopt";
 import { Gallery } from "./Gallery";
 import { ImportOptions, ImportPreview } from "./ImportPreview";
 import style from "./import.css?inline";
 import { begun, type Draft, selectionOf } from "./importDraft";
-import { importing } from "./importing";
+import { importing } from "./imported";
 
 adopt(style);
 
@@ -99,7 +102,7 @@ export function ImportDialog({ session }: { session: Session }) {
     const request = importing.value;
     if (!request || request.input === null) return;
     const { input } = request;
-    const name = typeof input === "string" ? "the pasted text" : input instanceof File ? input.name : "the picture";
+    const name = typeof input === "string" ? say.pastedText : input instanceof File ? input.name : say.picture;
     read(input, name, () => importing.value === request);
   });
 
@@ -132,7 +135,7 @@ export function ImportDialog({ session }: { session: Session }) {
       <header>
         <h2 id="import-name">{isGallery ? later.gallery.title : later.gallery.importing(side)}</h2>
         <button type="button" class="quiet" onClick={close}>
-          Close
+          {say.close}
         </button>
       </header>
       <Sources onInput={wish} browsing={browsing.value} onBrowse={() => (browsing.value = !browsing.value)} />
@@ -163,7 +166,7 @@ export function ImportDialog({ session }: { session: Session }) {
                 disabled={!result.value?.prepared}
                 onClick={() => take(target)}
               >
-                Use as {target}
+                {say.useAs(target)}
               </button>
             ))}
           </footer>
@@ -193,10 +196,10 @@ function Reading({ done, onStop }: { readonly done: number | null; readonly onSt
   const percent = Math.round(100 * (done ?? 0));
   return (
     <div class="reading">
-      <p role="status">{done === null ? "Preparing the shape …" : "Reading …"}</p>
-      <progress aria-label="Import" max={100} value={percent > 0 ? percent : undefined} />
+      <p role="status">{done === null ? say.preparing : say.reading}</p>
+      <progress aria-label={say.name} max={100} value={percent > 0 ? percent : undefined} />
       <button type="button" onClick={onStop}>
-        Stop
+        {say.stop}
       </button>
     </div>
   );
@@ -212,7 +215,7 @@ function Sources({ onInput, browsing, onBrowse }: SourcesProps) {
   return (
     <div class="sources">
       <label class="file">
-        <span>Choose a file</span>
+        <span>{say.choose}</span>
         <input
           type="file"
           accept={ACCEPTED}
@@ -225,17 +228,16 @@ function Sources({ onInput, browsing, onBrowse }: SourcesProps) {
         />
       </label>
       <button type="button" aria-expanded={browsing} onClick={onBrowse}>
-        Gallery
+        {say.gallery}
       </button>
       <p id="import-formats" class="help">
-        SVG or its path data, PNG, JPEG, WebP, JSON, GeoJSON, CSV, or a match saved here. You can also drop a file
-        anywhere on the page, or paste a picture or text.
+        {say.formats}
       </p>
       <details>
-        <summary>Paste text here</summary>
+        <summary>{say.paste}</summary>
         <textarea
           rows={3}
-          aria-label="SVG, path data, JSON or CSV text"
+          aria-label={say.pasteName}
           spellcheck={false}
           onInput={(event) => onInput(event.currentTarget.value.trim() || null)}
         />
@@ -254,23 +256,19 @@ function SavedMatch({ record, onOpen, onShape }: SavedProps) {
   const { match } = record;
   return (
     <div class="saved">
-      <p>
-        {match
-          ? `A saved match on the ${2 ** match.status.level + 1} × ${2 ** match.status.level + 1} grid, with its shapes and settings.`
-          : "Two saved shapes with their settings, not yet matched."}
-      </p>
+      <p>{match ? say.savedMatch(gridName(match.status.level)) : say.savedShapes}</p>
       <footer>
         <button type="button" class="primary" onClick={() => onOpen(record)}>
-          Open everything
+          {say.openAll}
         </button>
         {record.reference.length > 0 && (
-          <button type="button" onClick={() => onShape("Reference", record.reference)}>
-            Only the reference
+          <button type="button" onClick={() => onShape(en.sketch.names.reference, record.reference)}>
+            {say.only.reference}
           </button>
         )}
         {record.template.length > 0 && (
-          <button type="button" onClick={() => onShape("Template", record.template)}>
-            Only the template
+          <button type="button" onClick={() => onShape(en.sketch.names.template, record.template)}>
+            {say.only.template}
           </button>
         )}
       </footer>

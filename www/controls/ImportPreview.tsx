@@ -4,6 +4,7 @@ import type { Side } from "../session";
 import type { Outcome } from "../shapes/import/content";
 import { pixelX, pixelY, Surface, trace } from "../view/canvas";
 import { BOX } from "../view/framing";
+import { imports as say } from "../words/imports";
 import { type Draft, withChoice } from "./importDraft";
 
 type PreviewProps = { readonly draft: Draft; readonly result: Outcome; readonly side: Side };
@@ -60,36 +61,26 @@ export function ImportPreview({ draft, result, side }: PreviewProps) {
 
   return (
     <div class="surface">
-      <canvas ref={canvas} role="img" aria-label={`Preview: ${words(result)}`} />
+      <canvas ref={canvas} role="img" aria-label={say.preview(words(result))} />
     </div>
   );
 }
 
 function words({ prepared, problem }: Outcome): string {
-  if (!prepared) return problem ?? "nothing to show";
+  if (!prepared) return problem ?? say.nothing;
   const points = prepared.shape.reduce((sum, loop) => sum + loop.length / 2, 0);
-  const loops = prepared.shape.length;
-  return `${loops} ${loops === 1 ? "loop" : "loops"}, ${points} points`;
+  return say.counts(prepared.shape.length, points);
 }
-
-/** Widths in cells. Details finer than a cell no grid can see; they only cost iterations. */
-const SMOOTHINGS: Readonly<Record<string, string>> = {
-  0: "none",
-  0.5: "half a cell",
-  1: "one cell",
-  2: "two cells",
-  4: "four cells",
-};
 
 type OptionsProps = { readonly draft: Draft; readonly result: Outcome; readonly onChange: (draft: Draft) => void };
 
 export function ImportOptions({ draft, result, onChange }: OptionsProps) {
   return (
     <div class="options">
-      <p class="source">From {draft.source}</p>
+      <p class="source">{say.from(draft.source)}</p>
       {draft.choices.length > 1 && (
         <Choice
-          label="Shape"
+          label={say.options.shape}
           value={String(draft.chosen)}
           options={Object.fromEntries(draft.choices.map((choice, i) => [String(i), choice.name]))}
           onChange={(chosen) => onChange(withChoice(draft, Number(chosen)))}
@@ -99,30 +90,31 @@ export function ImportOptions({ draft, result, onChange }: OptionsProps) {
       {result.loops > 1 && (
         <>
           <Choice
-            label="Parts"
+            label={say.options.parts}
             value={draft.parts}
-            options={{ all: "all", largest: "only the largest" }}
+            options={say.parts}
             onChange={(parts) => onChange({ ...draft, parts })}
           />
           <Choice
-            label="Holes"
+            label={say.options.holes}
             value={draft.holes}
-            options={{ keep: "keep", fill: "fill" }}
+            options={say.holes}
             onChange={(holes) => onChange({ ...draft, holes })}
           />
         </>
       )}
       <Choice
-        label="Smoothing"
+        label={say.options.smoothing}
         value={String(draft.smoothing)}
-        options={SMOOTHINGS}
+        // Details finer than a cell no grid can see; they only cost iterations.
+        options={say.smoothings}
         onChange={(smoothing) => onChange({ ...draft, smoothing: Number(smoothing) })}
       />
       {result.placed && (
         <Choice
-          label="Place"
+          label={say.options.place}
           value={draft.placement}
-          options={{ asIs: "as in the file", fit: "scaled and centred" }}
+          options={say.places}
           onChange={(placement) => onChange({ ...draft, placement })}
         />
       )}
@@ -142,7 +134,7 @@ function PictureOptions({ draft, onChange }: Omit<OptionsProps, "result">) {
   return (
     <>
       <div class="option">
-        <label for={id}>Threshold</label>
+        <label for={id}>{say.options.threshold}</label>
         <input
           id={id}
           type="range"
@@ -158,12 +150,12 @@ function PictureOptions({ draft, onChange }: Omit<OptionsProps, "result">) {
         disabled={draft.threshold === automatic}
         onClick={() => onChange({ ...draft, threshold: automatic })}
       >
-        Automatic threshold
+        {say.options.automatic}
       </button>
       <Choice
-        label="Inside is"
+        label={say.options.inside}
         value={draft.flipped ? "light" : "dark"}
-        options={{ dark: "what is dark or opaque", light: "what is light or clear" }}
+        options={say.insides}
         onChange={(inside) => onChange({ ...draft, flipped: inside === "light" })}
       />
     </>

@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import type { FunctionComponent } from "preact";
 import type { Session } from "../session";
+import { en } from "../words/en";
 import { fetched } from "./fetched";
 
 type Part = FunctionComponent<{ session: Session }>;
@@ -13,7 +14,7 @@ export function Later({ session, name, title, note, load }: Properties) {
     open.value = details.open;
     if (!details.open || part.value) return;
     try {
-      part.value = await fetched(`“${title}”`, load);
+      part.value = await fetched(en.parts.named(title), load);
     } catch (error) {
       details.open = false;
       session.problem.value = error instanceof Error ? error.message : String(error);
@@ -26,7 +27,7 @@ export function Later({ session, name, title, note, load }: Properties) {
         {title}
         {note && <span class="count"> {note}</span>}
       </summary>
-      {open.value && (Loaded ? <Loaded session={session} /> : <p class="help">Loading …</p>)}
+      {open.value && (Loaded ? <Loaded session={session} /> : <p class="help">{en.parts.loading}</p>)}
     </details>
   );
 }

@@ -14,7 +14,7 @@ export function Present({ session }: { session: Session }) {
       end.current = part.present(session, () => {
         keys.value = null;
       });
-      keys.value = part.keys;
+      keys.value = part.keys();
     } catch (error) {
       session.problem.value = error instanceof Error ? error.message : String(error);
     }

@@ -3,7 +3,7 @@ import type { Shape } from "../shapes/geometry";
 import { PRESETS } from "../shapes/presets";
 import { en } from "../words/en";
 import { way } from "../words/way";
-import { importing } from "./importing";
+import { importing } from "./imported";
 import { reveal } from "./Stage";
 
 /** Examples that start with one click. */

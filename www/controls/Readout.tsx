@@ -1,27 +1,32 @@
 import type { ReadonlySignal } from "@preact/signals";
 import type { Match } from "../view/result";
+import { en } from "../words/en";
 import { decimals } from "../words/numbers";
 import { local, probe } from "./viewing";
 
 /** The numbers at the place that is pointed at, in the half of the picture where it is not. */
-export function Readout({ match, name = "Numbers at the point" }: Properties) {
+export function Readout({ match, name = en.readout.name }: Properties) {
   const numbers = match.value && probe.value && local.value?.localNumbers(match.value, probe.value);
   const low = numbers && Math.max(numbers.y, numbers.partnerY) > 0.55;
   return (
     <section class={low ? "readout low" : "readout"} aria-live="polite" aria-label={name}>
       {numbers && (
         <dl>
-          <Pair label="Point" names={["point-x", "point-y"]} values={[numbers.x, numbers.y]} />
-          <Pair label="Partner" names={["partner-x", "partner-y"]} values={[numbers.partnerX, numbers.partnerY]} />
-          <Pair label="Stretch" names={["stretch"]} values={[numbers.stretch]} unit="×" />
-          <Pair label="Area ratio" names={["determinant"]} values={[numbers.determinant]} unit="×" />
+          <Pair label={en.readout.point} names={["point-x", "point-y"]} values={[numbers.x, numbers.y]} />
           <Pair
-            label="Curvatures"
+            label={en.readout.partner}
+            names={["partner-x", "partner-y"]}
+            values={[numbers.partnerX, numbers.partnerY]}
+          />
+          <Pair label={en.readout.stretch} names={["stretch"]} values={[numbers.stretch]} unit="×" />
+          <Pair label={en.readout.determinant} names={["determinant"]} values={[numbers.determinant]} unit="×" />
+          <Pair
+            label={en.readout.curvatures}
             names={["curvature", "partner-curvature"]}
             values={[numbers.curvature, numbers.partnerCurvature]}
-            unit="per side"
+            unit={en.readout.perSide}
           />
-          <Pair label="Distance" names={["distance"]} values={[numbers.distance]} unit="cells" />
+          <Pair label={en.readout.distance} names={["distance"]} values={[numbers.distance]} unit={en.readout.cells} />
         </dl>
       )}
     </section>

@@ -23,7 +23,7 @@ export function ResultPanel({ session }: { session: Session }) {
     missed: past.value ? [] : missedBy(session.result.value?.frame ?? null),
   }));
   const limit = useComputed(() => limitOf(match.value, width.value));
-  const label = useComputed(() => `Deformed grid and matched curve: ${state(session)}`);
+  const label = useComputed(() => en.result.name(state(session)));
   const drawn = useCallback(() => session.drawn(), [session]);
   useSignalEffect(() => {
     if (!probe.value || local.peek()) return;

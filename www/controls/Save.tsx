@@ -7,23 +7,19 @@ import { fetched } from "./fetched";
 import { Menu } from "./Menu";
 import { draw, limitOf, picture, view } from "./viewing";
 
-const FORMATS: readonly { readonly format: Format; readonly label: string; readonly needsMatch: boolean }[] = (
+const FORMATS: readonly { readonly format: Format; readonly needsMatch: boolean }[] = (
   ["png", "svg", "json", "csv", "video", "gif"] as const
-).map((format) => ({
-  format,
-  label: en.save.formats[format],
-  needsMatch: format === "csv" || format === "video" || format === "gif",
-}));
+).map((format) => ({ format, needsMatch: format === "csv" || format === "video" || format === "gif" }));
 
 /** The formats in which a match can be taken away. */
 export function Save({ session }: { session: Session }) {
-  const busy = useSignal<string | null>(null);
+  const busy = useSignal(false);
   const legend = useSignal(false);
 
-  const save = async (format: Format, label: string) => {
-    busy.value = label;
+  const save = async (format: Format) => {
+    busy.value = true;
     try {
-      const { saved, download } = await fetched("What saves files", () => import("../export"));
+      const { saved, download } = await fetched(en.missing.files, () => import("../export"));
       const result = session.result.value;
       const match = result?.frame ?? null;
       const present = { ...session.shapes.value, settings: session.settings.value };
@@ -46,23 +42,19 @@ export function Save({ session }: { session: Session }) {
       if (file.note) session.problem.value = file.note;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
-      session.problem.value = en.save.failed(label, why);
+      session.problem.value = en.save.failed(en.save.formats[format], why);
     } finally {
-      busy.value = null;
+      busy.value = false;
     }
   };
 
   const matched = session.result.value !== null;
   return (
-    <Menu kind="save" label={busy.value ? en.save.busy : en.save.name} busy={busy.value !== null}>
-      {FORMATS.map(({ format, label, needsMatch }) => (
+    <Menu kind="save" label={busy.value ? en.save.busy : en.save.name} busy={busy.value}>
+      {FORMATS.map(({ format, needsMatch }) => (
         <li key={format}>
-          <button
-            type="button"
-            disabled={busy.value !== null || (needsMatch && !matched)}
-            onClick={() => save(format, label)}
-          >
-            {label}
+          <button type="button" disabled={busy.value || (needsMatch && !matched)} onClick={() => save(format)}>
+            {en.save.formats[format]}
           </button>
         </li>
       ))}

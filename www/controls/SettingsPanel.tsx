@@ -2,7 +2,7 @@ import { useSignal } from "@preact/signals";
 import { changedFields, type Session } from "../session";
 import { bandwidth, FIELDS, type NumberSetting, parseSetting, type SettingField } from "../settings";
 import { later } from "../words/later";
-import { decimals } from "../words/numbers";
+import { decimals, written } from "../words/numbers";
 import { adopt } from "./adopt";
 import style from "./settings.css?inline";
 import { fromSlider, onSlider, SLIDER_STEPS } from "./slider";
@@ -46,13 +46,14 @@ export function SettingsPanel({ session }: { session: Session }) {
         </details>
       </div>
       <button type="button" disabled={changed === 0} onClick={() => session.resetSettings()}>
-        Reset to defaults
+        {later.settings.reset}
       </button>
     </>
   );
 }
 
 function Field({ session, field }: { session: Session; field: SettingField }) {
+  const { automatic } = later.settings;
   const problem = useSignal<string | null>(null);
   const value = session.settings.value[field.name] ?? field.initial;
   const id = `setting-${field.name}`;
@@ -101,7 +102,7 @@ function Field({ session, field }: { session: Session; field: SettingField }) {
       {field.kind === "number" && <Slider session={session} field={field} value={Number(value)} />}
       <p id={`${id}-help`} class={problem.value ? "help wrong" : "help"}>
         {problem.value ?? field.help}
-        {field.name === "bandwidth" && value === 0 && ` ${later.settings.automatic(chosenBand(session))}`}
+        {field.name === "bandwidth" && value === 0 && ` ${automatic(chosenBand(session))}`}
       </p>
     </div>
   );
@@ -130,8 +131,8 @@ function Slider({ session, field, value }: { session: Session; field: NumberSett
   return (
     <input
       type="range"
-      aria-label={`${field.label}, slider`}
-      aria-valuetext={`${value} ${field.unit}`.trim()}
+      aria-label={later.settings.slider(field.label)}
+      aria-valuetext={`${written(String(value))} ${field.unit}`.trim()}
       min={0}
       max={SLIDER_STEPS}
       step={1}

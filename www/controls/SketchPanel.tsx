@@ -15,14 +15,13 @@ import { BOX } from "../view/framing";
 import { probeAt } from "../view/probe";
 import { zip } from "../view/result";
 import { drawSketch } from "../view/sketch";
+import { en } from "../words/en";
 import { Enlarge } from "./Enlarge";
 import { ImportButton } from "./Import";
 import { guess, probe } from "./viewing";
 
 /** Of the pointer to the reference, in CSS pixels, to show the partner of its nearest point. */
 const PROBE_REACH = 24;
-
-const NAMES = { reference: "Reference", template: "Template" };
 
 /** Which lines of the page tell what keys do; see index.html. */
 const KEYS = { draw: "keys", circle: "outline-keys", polygon: "outline-keys", mirror: "outline-keys", pin: "pin-keys" };
@@ -107,18 +106,18 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
     <section class="sketch" aria-labelledby={`${side}-name`}>
       <header>
         <h2 id={`${side}-name`} class={side}>
-          {NAMES[side]}
+          {en.sketch.names[side]}
         </h2>
         <div class="tools">
           <ImportButton side={side} />
           <button
             type="button"
             class="quiet"
-            aria-label={`Clear ${side}`}
+            aria-label={en.sketch.clearSide(side)}
             disabled={empty}
             onClick={() => session.commitShape(side, [])}
           >
-            Clear
+            {en.sketch.clear}
           </button>
         </div>
       </header>
@@ -129,7 +128,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
           tabIndex={0}
           role="application"
           id={`${side}-surface`}
-          aria-label={`${NAMES[side]} shape`}
+          aria-label={en.sketch.surface[side]}
           aria-describedby={KEYS[tool.value]}
           onKeyDown={press}
           onFocus={repaint}
@@ -139,7 +138,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
             probe.value = null;
           }}
         />
-        {empty && <p class="invitation">Draw a closed curve here</p>}
+        {empty && <p class="invitation">{en.sketch.invitation}</p>}
         <Enlarge session={session} side={side} />
       </div>
     </section>

@@ -40,7 +40,9 @@ export function StatusPanel({ session }: { session: Session }) {
           )}
         </dl>
       )}
-      {isDone(phase) && !session.stale.value && status?.verdict && status.stop && <p class="stop">{status.stop}</p>}
+      {isDone(phase) && !session.stale.value && status?.verdict && status.stop && (
+        <p class="stop">{en.status.stop(status)}</p>
+      )}
       {isDone(phase) && Report && <Report session={session} />}
       {!working && <Resolution session={session} />}
     </div>
@@ -65,13 +67,13 @@ export function Caption({ session }: { session: Session }) {
 function Resolution({ session }: { session: Session }) {
   const inspection = session.inspection.value;
   if (!inspection?.words) return null;
-  const { words, level } = inspection;
+  const { level } = inspection;
   return (
     <p class="resolution">
-      {words}
+      {en.status.unresolved(inspection)}
       {level !== null && (
         <button type="button" onClick={() => session.matchOn(level)}>
-          Match on {gridName(level)}
+          {en.actions.matchOn(gridName(level))}
         </button>
       )}
     </p>
@@ -113,7 +115,7 @@ export function Progress({ session }: { session: Session }) {
   // Nor how long the shapes will take.
   if (!status) {
     return (
-      <div class="progress unknown" role="progressbar" aria-label="Match">
+      <div class="progress unknown" role="progressbar" aria-label={en.result.title}>
         <div />
       </div>
     );
@@ -122,7 +124,7 @@ export function Progress({ session }: { session: Session }) {
     <div
       class="progress"
       role="progressbar"
-      aria-label="Match"
+      aria-label={en.result.title}
       aria-valuemin={0}
       aria-valuemax={100}
       aria-valuenow={percent}

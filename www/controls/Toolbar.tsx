@@ -1,7 +1,8 @@
 import { useSignal } from "@preact/signals";
 import { isFollowing, isPaused, isWorking } from "../phase";
 import type { Session } from "../session";
-import { Exchange } from "./Exchange";
+import { hands } from "../tools/tool";
+import { en } from "../words/en";
 
 /** Everything that is done with a press. */
 export function Toolbar({ session }: { session: Session }) {
@@ -9,45 +10,47 @@ export function Toolbar({ session }: { session: Session }) {
   const working = isWorking(phase);
   const paused = isPaused(phase);
   const { reference, template } = session.shapes.value;
+  // Comes with what draws.
+  const Exchange = hands.value?.Exchange;
   return (
     <div class="toolbar">
       <div class="group">
         <button type="button" class="primary" onClick={() => session.start()}>
-          Match
+          {en.actions.match}
         </button>
         <button
           type="button"
           class="switch"
           role="switch"
           aria-checked={session.live.value}
-          title="The match follows your hand while you change a shape or a setting"
+          title={en.actions.liveHelp}
           onClick={() => session.setLive(!session.live.value)}
         >
-          Live
+          {en.actions.live}
         </button>
         <button type="button" disabled={!working} onClick={() => (paused ? session.resume() : session.pause())}>
-          {paused ? "Resume" : "Pause"}
+          {paused ? en.actions.resume : en.actions.pause}
         </button>
         <button type="button" disabled={!working && !isFollowing(phase)} onClick={() => session.cancel()}>
-          Cancel
+          {en.actions.cancel}
         </button>
       </div>
       <div class="group">
         <button type="button" disabled={!session.canUndo.value} onClick={() => session.undo()}>
-          Undo
+          {en.actions.undo}
         </button>
         <button type="button" disabled={!session.canRedo.value} onClick={() => session.redo()}>
-          Redo
+          {en.actions.redo}
         </button>
         <button
           type="button"
           disabled={reference.length === 0 && template.length === 0}
-          title="Scale and centre both shapes"
+          title={en.actions.fitHelp}
           onClick={() => session.fit()}
         >
-          Fit
+          {en.actions.fit}
         </button>
-        <Exchange session={session} />
+        {Exchange && <Exchange session={session} />}
         <CopyLink session={session} />
       </div>
     </div>
@@ -55,24 +58,24 @@ export function Toolbar({ session }: { session: Session }) {
 }
 
 function CopyLink({ session }: { session: Session }) {
-  const said = useSignal("Copy link");
+  const said = useSignal<"copy" | "copied" | "seeAddress">("copy");
   const copy = async () => {
     const address = session.address();
     try {
       await navigator.clipboard.writeText(address);
-      said.value = "Copied";
+      said.value = "copied";
     } catch {
       // Not allowed here: the address bar holds the same link.
       history.replaceState(null, "", address);
-      said.value = "See address bar";
+      said.value = "seeAddress";
     }
     setTimeout(() => {
-      said.value = "Copy link";
+      said.value = "copy";
     }, 1600);
   };
   return (
-    <button type="button" title="A link that brings back everything: shapes, pins, settings, view" onClick={copy}>
-      {said}
+    <button type="button" title={en.actions.copyHelp} onClick={copy}>
+      {en.actions[said.value]}
     </button>
   );
 }
@@ -92,7 +95,7 @@ export function Problem({ session }: { session: Session }) {
             </button>
           ))}
           <button type="button" class="quiet" onClick={() => session.dismiss()}>
-            Draw again
+            {en.actions.drawAgain}
           </button>
         </div>
       )}
@@ -114,7 +117,7 @@ function Said({ text, dismiss }: { text: string; dismiss: () => void }) {
     <div class="problem">
       <p class="text">{text}</p>
       <button type="button" class="quiet" onClick={dismiss}>
-        Dismiss
+        {en.actions.dismiss}
       </button>
     </div>
   );

@@ -1,10 +1,11 @@
 import { useSignal } from "@preact/signals";
 import type { Session } from "../session";
 import { VIEWS, type View } from "../view/names";
+import { en } from "../words/en";
 import { choose, view } from "./viewing";
 
 /** Chooses how the match is drawn. */
-export function ViewPicker({ session, name = "View" }: { session: Session; name?: string }) {
+export function ViewPicker({ session, name }: { session: Session; name?: string }) {
   const busy = useSignal(false);
   const change = async (wanted: View) => {
     busy.value = true;
@@ -19,15 +20,15 @@ export function ViewPicker({ session, name = "View" }: { session: Session; name?
   return (
     <select
       class="view-picker"
-      aria-label={name}
+      aria-label={name ?? en.view}
       aria-busy={busy.value}
-      aria-describedby={name === "View" ? "view-caption" : undefined}
+      aria-describedby={name ? undefined : "view-caption"}
       value={view.value}
       onChange={(event) => void change(event.currentTarget.value as View)}
     >
-      {VIEWS.map(({ view: value, label }) => (
+      {VIEWS.map((value) => (
         <option key={value} value={value}>
-          {label}
+          {en.views[value]}
         </option>
       ))}
     </select>

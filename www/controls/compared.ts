@@ -6,6 +6,7 @@ import type { FrameReply } from "../protocol";
 import type { Chosen } from "../settings";
 import { flat, type Shapes } from "../shapes/pins";
 import { Solver } from "../solver";
+import { later } from "../words/later";
 
 export type Job = Shapes & { readonly settings: Chosen };
 
@@ -33,7 +34,7 @@ export class Comparison {
       frame: (frame) => this.receive(frame),
       refused: failed,
       unavailable: failed,
-      crashed: (message) => failed(`The solver stopped unexpectedly (${message}); compare again.`),
+      crashed: (message) => failed(later.compare.stopped(message)),
     });
   }
 

@@ -1,3 +1,5 @@
+import { en } from "../words/en";
+
 /**
  * A part of the page that comes on demand. Rejects with a sentence where it does not come. The next call tries again,
  * except in browsers that remember a failure; there a reload helps, and loses nothing.
@@ -6,6 +8,6 @@ export async function fetched<T>(name: string, load: () => Promise<T>): Promise<
   try {
     return await load();
   } catch {
-    throw new Error(`${name} could not be loaded; check the connection and try again, or reload the page.`);
+    throw new Error(en.missing.sentence(name));
   }
 }

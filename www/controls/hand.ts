@@ -14,11 +14,15 @@ import { type Ground, Hand, type Tool } from "../tools/hand";
 import { curve, fetchKit, kit } from "../tools/kit";
 import { said, type ToolName } from "../tools/tool";
 import type { Surface } from "../view/canvas";
-import { changeWords, faultWords, WAYS } from "../words/strokes";
+import { changeWords, faultWords, strokes } from "../words/strokes";
 
 const SIDES: readonly Side[] = ["reference", "template"];
 
 export { drawFaulty } from "../view/pen";
+export { listenForLanguage } from "./changeLanguage";
+export { Exchange } from "./Exchange";
+export { listenForImports } from "./importing";
+export { Save } from "./Save";
 
 export function handOf(name: ToolName, session: Session, side: Side, surface: Surface): Hand {
   const ground: Ground & { restore(): void } = {
@@ -84,7 +88,7 @@ function draw(session: Session, side: Side, judgement: Judgement): void {
     return;
   }
   const { kind, size, loop, mended } = judgement;
-  const ways = mended ? [{ label: WAYS[kind], go: () => take(session, side, mended) }] : [];
+  const ways = mended ? [{ label: strokes.ways[kind], go: () => take(session, side, mended) }] : [];
   session.question.value = { side, loop, words: faultWords(kind, size), ways };
 }
 

@@ -1,18 +1,7 @@
-/** What is being imported, and the ways into it: the button, a drop, a paste. */
+/** The ways into the import besides its button: a drop, a paste. They come with what draws. */
 
-import { signal } from "@preact/signals";
 import type { Side } from "../session";
-
-export type ImportRequest = {
-  readonly side: Side;
-  /** A file, a pasted text, or nothing yet. */
-  readonly input: Blob | string | null;
-  /** Opened for the gallery. */
-  readonly gallery?: boolean;
-};
-
-/** The request that the dialog answers; null while it is closed. */
-export const importing = signal<ImportRequest | null>(null);
+import { importing } from "./imported";
 
 /** Files and texts dropped or pasted anywhere on the page open the dialog. Returns how to stop listening. */
 export function listenForImports(): () => void {

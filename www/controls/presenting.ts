@@ -13,7 +13,7 @@ adopt(style);
 const STEP = 0.05;
 
 /** What the keys do, in words. */
-export const keys = later.present.keys;
+export const keys = () => later.present.keys;
 
 /** Begins a presentation; the function given back ends it, and so do the user and the browser, who tell by `ended`. */
 export function present(session: Session, ended: () => void): () => void {
@@ -51,9 +51,9 @@ function act(session: Session, { key, target }: KeyboardEvent, leave: () => void
     const next = session.morph.value + (key === "ArrowRight" ? STEP : -STEP);
     session.morph.value = Math.min(1, Math.max(0, Math.round(next / STEP) * STEP));
   } else if (key === "v" || key === "V") {
-    const at = VIEWS.findIndex((candidate) => candidate.view === view.value);
+    const at = VIEWS.indexOf(view.value);
     const next = VIEWS[(at + (key === "v" ? 1 : VIEWS.length - 1)) % VIEWS.length];
-    choose(next.view).catch((problem: unknown) => {
+    choose(next).catch((problem: unknown) => {
       session.problem.value = problem instanceof Error ? problem.message : String(problem);
     });
   } else return false;

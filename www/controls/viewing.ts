@@ -59,7 +59,7 @@ export const picture = signal<Picture | null>(null);
 /** Shows the view, after fetching what draws it. Throws a sentence when that fails. */
 export async function choose(wanted: View): Promise<void> {
   if (wanted !== "grid" && !lazy.value) {
-    const [views, pictures, legends, { captions }] = await fetched("This view", () =>
+    const [views, pictures, legends, { captions }] = await fetched(en.missing.view, () =>
       Promise.all([import("../view/views"), import("../view/picture"), import("./Legend"), import("../words/later")]),
     );
     picture.value ??= pictures.pattern();

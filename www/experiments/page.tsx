@@ -2,8 +2,13 @@
 
 import { render } from "preact";
 import paper from "../../docs/paper.md?raw";
+import { listenForLanguage } from "../controls/changeLanguage";
+import { begin, readFile } from "../controls/language";
 import { moduleAt } from "../engine";
 import solverUrl from "../wasm/thinshell_bg.wasm?url";
+import { experiments as say } from "../words/experiments";
+import { page } from "../words/language";
+import { written } from "../words/numbers";
 import { type Block, type Experiment, seconds } from "./experiment";
 import { EXPERIMENTS } from "./index";
 import { linkTo } from "./link";
@@ -13,7 +18,9 @@ import "../style.css";
 import "./page.css";
 
 /** The outcome that is kept with the sources, and its figures. */
-const BEFOREHAND = readDocument(paper);
+/** Under the titles of the sources. */
+const sections = readDocument(paper);
+const BEFOREHAND = new Map(EXPERIMENTS.map(({ id, title }) => [id, sections.get(title) ?? []]));
 const FIGURES: Record<string, string> = import.meta.glob("../../docs/figures/*.svg", {
   query: "?url",
   import: "default",
@@ -23,7 +30,7 @@ const FIGURES: Record<string, string> = import.meta.glob("../../docs/figures/*.s
 function App({ runs }: { runs: Runs }) {
   return (
     <>
-      <nav aria-label="Experiments">
+      <nav aria-label={say.list}>
         <ul>
           {EXPERIMENTS.map(({ id, title }) => (
             <li key={id}>
@@ -46,22 +53,18 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
     <section id={id} class="experiment" aria-labelledby={`${id}-title`}>
       <h2 id={`${id}-title`}>{title}</h2>
       <p>
-        <strong>In the paper.</strong> {paper}
+        <strong>{say.paper}</strong> {paper}
       </p>
       <p>
-        <strong>Here.</strong> {setup}
+        <strong>{say.here}</strong> {setup}
       </p>
       <div class="group">
-        <a
-          class="as-button"
-          href={`./index.html#${linkTo(experiment.example())}`}
-          aria-label={`Open in the page: ${title}`}
-        >
-          Open in the page
+        <a class="as-button" href={`./index.html#${linkTo(experiment.example())}`} aria-label={say.of(say.open, title)}>
+          {say.open}
         </a>
         {run.kind === "running" ? (
-          <button type="button" onClick={() => runs.cancel()} aria-label={`Cancel: ${title}`}>
-            Cancel
+          <button type="button" onClick={() => runs.cancel()} aria-label={say.of(say.cancel, title)}>
+            {say.cancel}
           </button>
         ) : (
           <>
@@ -69,13 +72,13 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
               type="button"
               class="primary"
               onClick={() => runs.start(id, hasShortForm ? "short" : "full")}
-              aria-label={`Compute: ${title}`}
+              aria-label={say.of(say.compute, title)}
             >
-              Compute
+              {say.compute}
             </button>
             {hasShortForm && (
-              <button type="button" onClick={() => runs.start(id, "full")} aria-label={`Compute in full: ${title}`}>
-                Compute in full
+              <button type="button" onClick={() => runs.start(id, "full")} aria-label={say.of(say.inFull, title)}>
+                {say.inFull}
               </button>
             )}
           </>
@@ -89,11 +92,12 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
 
 /** What has been computed here, and before that what the documents hold. */
 function Outcome({ experiment: { id, title }, run }: { experiment: Experiment; run: Run }) {
-  const blocks = run.kind === "done" ? run.blocks : (BEFOREHAND.get(title) ?? []);
+  const blocks = run.kind === "done" ? run.blocks : (BEFOREHAND.get(id) ?? []);
   return (
-    <div class={run.kind === "running" ? "results waiting" : "results"} aria-busy={run.kind === "running"}>
+    // What runs write is English in every language.
+    <div lang="en" class={run.kind === "running" ? "results waiting" : "results"} aria-busy={run.kind === "running"}>
       {blocks.map((block, i) => (
-        <Piece key={`${id}-${i}`} block={block} name={`${title}, part ${i + 1}`} />
+        <Piece key={`${id}-${i}`} block={block} name={say.part(title, i + 1)} />
       ))}
     </div>
   );
@@ -103,7 +107,7 @@ function State({ run, title }: { run: Run; title: string }) {
   if (run.kind === "failed")
     return (
       <p class="problem" role="alert">
-        The experiment has failed: {run.message}. Compute it again; if it fails again, reload the page.
+        {say.failed(run.message)}
       </p>
     );
   const percent = run.kind === "running" ? Math.round(100 * run.done) : 0;
@@ -122,9 +126,9 @@ function State({ run, title }: { run: Run; title: string }) {
         </div>
       )}
       <p class="state" role="status">
-        {run.kind === "running" && `${percent} %: ${run.doing}`}
-        {run.kind === "idle" && "Computed beforehand; what you compute here takes its place."}
-        {run.kind === "done" && `Computed in ${seconds(run.millis)}${run.size === "short" ? ", on small grids" : ""}.`}
+        {run.kind === "running" && say.doing(percent, run.doing)}
+        {run.kind === "idle" && say.beforehand}
+        {run.kind === "done" && say.done(written(seconds(run.millis)), run.size === "short")}
       </p>
     </>
   );
@@ -143,7 +147,7 @@ function Piece({ block, name }: { block: Block; name: string }) {
         <figcaption>
           {block.caption}{" "}
           <a href={address} download={`${block.name}.svg`}>
-            Save as SVG
+            {say.saveSvg}
           </a>
         </figcaption>
       </figure>
@@ -151,7 +155,7 @@ function Piece({ block, name }: { block: Block; name: string }) {
   }
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable with the keyboard
-    <section class="wide" tabIndex={0} aria-label={`Table: ${name}`}>
+    <section class="wide" tabIndex={0} aria-label={say.table(name)}>
       <table>
         <thead>
           <tr>
@@ -188,8 +192,16 @@ function Piece({ block, name }: { block: Block; name: string }) {
 
 const root = document.getElementById("experiments");
 if (!root) throw new Error("experiments.html has no #experiments");
+readFile("experimentsFile", "h1, .promise, footer");
+page("experimentTexts", Object.fromEntries(EXPERIMENTS.map((experiment) => [experiment.id, experiment])));
+listenForLanguage(() => {});
 const runs = new Runs(moduleAt(solverUrl));
-root.replaceChildren();
-render(<App runs={runs} />, root);
-// The sections did not exist yet when the browser looked for the one in the address.
-if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+begin()
+  // Where the language does not come, the page goes on in English.
+  .catch(() => {})
+  .then(() => {
+    root.replaceChildren();
+    render(<App runs={runs} />, root);
+    // The sections did not exist yet when the browser looked for the one in the address.
+    if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+  });

@@ -1,5 +1,7 @@
 /** A file on its way to the browser's downloads. */
 
+import { files } from "../words/files";
+
 export type Saved = {
   readonly blob: Blob;
   readonly name: string;
@@ -9,7 +11,7 @@ export type Saved = {
 
 /** Hands the file to the browser's downloads. */
 export function download({ blob, name }: Saved): void {
-  if (blob.size === 0) throw new Error("The file came out empty; try again, or save another format.");
+  if (blob.size === 0) throw new Error(files.empty);
   const address = URL.createObjectURL(blob);
   const link = document.createElement("a");
   link.href = address;

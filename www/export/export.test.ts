@@ -48,6 +48,7 @@ function saving(): Saving & { match: NonNullable<Saving["match"]> } {
     cover: { mean: 0, max: 0 },
     measure: 1,
     verdict: null,
+    facts: new Float64Array(0),
     approach: "",
   };
   return { reference, template, pins: [], settings: {}, bandwidth: 0.05, match: { status, deformation, curves } };

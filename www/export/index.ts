@@ -5,6 +5,7 @@ import type { View } from "../view/names";
 import { theme } from "../view/palette";
 import type { Picture } from "../view/raster";
 import { markedScale } from "../view/views";
+import { files } from "../words/files";
 import { csv } from "./csv";
 import type { Saved } from "./download";
 import { legendOf, legendSvg } from "./legend";
@@ -71,7 +72,7 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
       if (film) return named(film.blob, film.extension);
       return {
         ...named((await gif(at, colours, draw)).blob, "gif"),
-        note: "This browser recorded no video, so the morph is saved as a GIF.",
+        note: files.noVideo,
       };
     }
     case "gif":
@@ -81,6 +82,6 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
 }
 
 function matchOf({ match }: Saving): NonNullable<Saving["match"]> {
-  if (!match) throw new Error("There is no match to save yet; press Match first.");
+  if (!match) throw new Error(files.noMatch);
   return match;
 }

@@ -3,6 +3,7 @@
 import { applyPalette, GIFEncoder, quantize } from "gifenc";
 import type { Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
+import { files } from "../words/files";
 import { type Draw, paint } from "./png";
 
 /** The scene at a part 0…1 of the deformation. */
@@ -52,7 +53,7 @@ async function recorded(type: string, sceneAt: SceneAt, colours: Theme, draw: Dr
   recorder.ondataavailable = ({ data }) => pieces.push(data);
   const stopped = new Promise<void>((resolve, reject) => {
     recorder.onstop = () => resolve();
-    recorder.onerror = () => reject(new Error("the recorder has failed"));
+    recorder.onerror = () => reject(new Error(files.recorder));
   });
   recorder.start();
   const begin = performance.now();

@@ -3,6 +3,7 @@
 import type { Frame } from "../view/canvas";
 import type { Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
+import { files } from "../words/files";
 import { drawLegend, type Legend } from "./legend";
 
 /** Draws a scene in the view that is chosen. */
@@ -25,7 +26,7 @@ export async function png(scene: ResultScene, colours: Theme, draw: Draw, legend
   const unit = PRINT_SIDE / (1 + 2 * MARGIN) / 1000;
   if (legend) drawLegend(context, legend, colours, unit, 1000 * MARGIN * unit, 1000 * MARGIN * unit);
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, "image/png"));
-  if (!blob) throw new Error("The browser could not make the picture; it may be short of memory.");
+  if (!blob) throw new Error(files.noPicture);
   return blob;
 }
 
@@ -37,7 +38,7 @@ export function paint(
   draw: Draw,
 ): CanvasRenderingContext2D {
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("The browser gives no canvas to draw the picture on.");
+  if (!context) throw new Error(files.noCanvas);
   const { width, height } = canvas;
   const frame: Frame = {
     left: -MARGIN,

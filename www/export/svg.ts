@@ -9,6 +9,7 @@ import { arcLengthParts } from "../view/curve";
 import { movedGrid, movedLoops } from "../view/morph";
 import { onCycle, type Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
+import { files } from "../words/files";
 
 export const UNITS = 1000;
 export const MARGIN = 50;
@@ -29,7 +30,7 @@ export function svg(scene: ResultScene, colours: Theme, legend = ""): string {
   const band = round(2 * scene.bandwidth * UNITS);
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${-MARGIN} ${-MARGIN} ${side} ${side}" width="${side}" height="${side}" data-units-per-side="${UNITS}">`,
-    `<title>${match ? "Deformed grid and matched curve" : "Reference and template"}</title>`,
+    `<title>${match ? files.matchTitle : files.shapesTitle}</title>`,
     `<rect x="${-MARGIN}" y="${-MARGIN}" width="${side}" height="${side}" fill="${colours.paper}"/>`,
     `<path data-side="template" d="${closedPath(scene.template)}" fill="${colours.template}" fill-opacity="0.14" stroke="${colours.template}" stroke-opacity="0.4" stroke-width="${match ? 12 : 4}" stroke-linejoin="round"/>`,
     `<path id="grid" d="${gridPath(scene)}" ${inked(colours.grid, 1.8)}/>`,

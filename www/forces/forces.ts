@@ -8,6 +8,7 @@ import { thinned } from "../view/field";
 import { identity } from "../view/identity";
 import { movedAt, wayOf } from "../view/morph";
 import type { Match } from "../view/result";
+import { later } from "../words/later";
 import ForcesWorker from "./forces.worker?worker&inline";
 import { FORCES, type Forces, type Term } from "./terms";
 
@@ -30,7 +31,7 @@ export async function ask(engine: Engine, { frame, reference, template, settings
         deformation: frame.deformation,
       });
     });
-    if (!forces) throw new Error(problem || "The forces could not be computed");
+    if (!forces) throw new Error(problem || later.forces.failed);
     return forces;
   } finally {
     worker.terminate();

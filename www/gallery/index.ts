@@ -8,6 +8,7 @@ import { prepared } from "../shapes/import/fit";
 import type { FoundShapes } from "../shapes/import/found";
 import { readGeoJson } from "../shapes/import/geojson";
 import { readSvg } from "../shapes/import/svg";
+import { imports } from "../words/imports";
 import { ICONS } from "./icons";
 
 export type Silhouette = {
@@ -29,17 +30,17 @@ export function collections(): readonly Collection[] {
   const { features } = JSON.parse(countries) as { features: readonly { properties: { name: string } }[] };
   return [
     {
-      title: "Things",
+      title: imports.collections.things,
       source: "Phosphor Icons",
       address: "https://phosphoricons.com",
-      licence: "MIT licence",
+      licence: imports.credits.mit,
       silhouettes: ICONS.map(({ name, svg }) => silhouette(name, readSvg(svg))),
     },
     {
-      title: "Countries",
-      source: "Natural Earth, through world-atlas",
+      title: imports.collections.countries,
+      source: imports.credits.countries,
       address: "https://www.naturalearthdata.com",
-      licence: "public domain; world-atlas: ISC licence",
+      licence: imports.credits.publicDomain,
       // Mainland only; “All parts” brings the islands.
       silhouettes: features.map((feature) => silhouette(feature.properties.name, readGeoJson(feature, true))),
     },

@@ -85,9 +85,9 @@ export function overridden<T extends Pick<Saved, "settings" | "view" | "morph">>
   }
   const name = query.get("view");
   if (name !== null) {
-    const known = VIEWS.find((candidate) => candidate.view === name);
+    const known = VIEWS.find((candidate) => candidate === name);
     if (!known) throw new Error(say.noView(name));
-    view = known.view;
+    view = known;
   }
   const part = query.get("morph");
   if (part !== null) {

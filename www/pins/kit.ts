@@ -3,6 +3,7 @@
 import { signal } from "@preact/signals";
 import { fetched } from "../controls/fetched";
 import type { Point } from "../shapes/geometry";
+import { en } from "../words/en";
 
 type Kit = typeof import("./index");
 
@@ -11,7 +12,7 @@ export const kit = signal<Kit | null>(null);
 
 /** Throws a sentence when it cannot be had. */
 export async function fetchKit(): Promise<void> {
-  kit.value ??= await fetched("What is needed for pins", () => import("./index"));
+  kit.value ??= await fetched(en.missing.pins, () => import("./index"));
 }
 
 /** The end of a pin that waits for its partner. */

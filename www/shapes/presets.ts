@@ -3,6 +3,7 @@
  * clockwise) and keep 0.15 of the box's side from its border.
  */
 
+import { page } from "../words/language";
 import {
   about,
   averaged,
@@ -312,3 +313,5 @@ export const PRESETS: readonly Preset[] = [
     [ribbon(arc(0.2, 195, 345, { x: 0.5, y: 0.58 }), (s) => 0.045 + 0.035 * Math.sin(Math.PI * s))],
   ),
 ];
+
+page("presets", Object.fromEntries(PRESETS.map((preset) => [preset.id, preset])));

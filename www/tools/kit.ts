@@ -2,6 +2,7 @@
 
 import { signal } from "@preact/signals";
 import { fetched } from "../controls/fetched";
+import { en } from "../words/en";
 import type { Outline } from "./outline";
 
 /** Circle, polygon, mirror and what is done to one curve, once it is there. */
@@ -9,7 +10,7 @@ export const kit = signal<typeof import("./index") | null>(null);
 
 /** Throws a sentence when it cannot be had. */
 export async function fetchKit(): Promise<void> {
-  kit.value ??= await fetched("What is needed for this tool", () => import("./index"));
+  kit.value ??= await fetched(en.missing.tool, () => import("./index"));
 }
 
 /** The outline that waits for its next point, and how many it has. */

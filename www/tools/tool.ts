@@ -3,6 +3,7 @@
 import { signal } from "@preact/signals";
 import { fetched } from "../controls/fetched";
 import { begun, chosen, fetchKit as fetchPins } from "../pins/kit";
+import { en } from "../words/en";
 import { fetchKit } from "./kit";
 
 export type ToolName = "draw" | "circle" | "polygon" | "mirror" | "pin";
@@ -14,7 +15,7 @@ export const hands = signal<typeof import("../controls/hand") | null>(null);
 
 /** Throws a sentence when they cannot be had. */
 export async function fetchHands(): Promise<typeof import("../controls/hand")> {
-  hands.value ??= await fetched("What is needed to draw", () => import("../controls/hand"));
+  hands.value ??= await fetched(en.missing.draw, () => import("../controls/hand"));
   return hands.value;
 }
 

@@ -1,5 +1,6 @@
 /** A canvas that shows a square of the plane: device pixels, one redraw a frame, redrawn when size or colours change. */
 
+import { en } from "../words/en";
 import type { Square } from "./framing";
 import { type Theme, theme } from "./palette";
 
@@ -31,7 +32,7 @@ export class Surface {
   /** Shows `seen` and calls `draw` on a cleared canvas. */
   constructor(canvas: HTMLCanvasElement, seen: () => Square, draw: Draw) {
     const context = canvas.getContext("2d");
-    if (!context) throw new Error("this browser gives no 2D canvas; use a current Firefox, Chrome or Safari");
+    if (!context) throw new Error(en.solver.canvas);
     this.canvas = canvas;
     this.context = context;
     this.seen = seen;

@@ -1,5 +1,6 @@
 /** Curves coloured by the reference's arc length: equal colours are matched points. */
 
+import { en } from "../words/en";
 import { type Frame, pixelX, pixelY, trace } from "./canvas";
 import { onCycle } from "./palette";
 
@@ -159,6 +160,6 @@ function layerOf({ width, height }: Frame): OffscreenCanvasRenderingContext2D {
     const size = [Math.max(width, before.width), Math.max(height, before.height)] as const;
     scratch = new OffscreenCanvas(...size).getContext("2d");
   }
-  if (!scratch) throw new Error("this browser gives no 2D canvas; use a current Firefox, Chrome or Safari");
+  if (!scratch) throw new Error(en.solver.canvas);
   return scratch;
 }

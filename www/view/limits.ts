@@ -1,5 +1,6 @@
 /** Where the views' scales end, and what stands at them. */
 
+import { later } from "../words/later";
 import { volumeDensities } from "./density";
 import { logDeterminants } from "./field";
 import { bothCurvatures, costs, mapOf, mismatchWithin, stretches } from "./measured";
@@ -76,21 +77,21 @@ function doublings(sizes: ArrayLike<number>): number {
 export function scaleOf(view: View, limit: number, dark: boolean): Scale | null {
   switch (view) {
     case "stretch":
-      return factors("Length after / before", dark, limit);
+      return factors(later.scales.stretch, dark, limit);
     case "determinant":
-      return factors("Area after / before", dark, limit);
+      return factors(later.scales.determinant, dark, limit);
     case "curvature":
-      return signed("Curvature", "per box side", dark, limit);
+      return signed(later.scales.curvature, later.scales.perSide, dark, limit);
     case "band":
-      return amounts("Weight η of the shell", "", 1);
+      return amounts(later.scales.band, "", 1);
     case "mismatch":
-      return amounts("|d₂∘φ − d₁|", "cells", limit);
+      return amounts(later.scales.mismatch, later.scales.cells, limit);
     case "stretching":
-      return amounts("Stretching energy, W", "", limit);
+      return amounts(later.scales.stretching, "", limit);
     case "bending":
-      return amounts("Bending energy, |S|²", "per side²", limit);
+      return amounts(later.scales.bending, later.scales.perSquare, limit);
     case "volume":
-      return amounts("Volume energy, W", "", limit);
+      return amounts(later.scales.volume, "", limit);
     default:
       return null;
   }

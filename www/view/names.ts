@@ -1,8 +1,6 @@
 /** The ways to look at a match. */
 
-import { en } from "../words/en";
-
-const ALL = [
+export const VIEWS = [
   "grid",
   "image",
   "pullback",
@@ -16,9 +14,4 @@ const ALL = [
   "volume",
 ] as const;
 
-export type View = (typeof ALL)[number];
-
-export const VIEWS: readonly { readonly view: View; readonly label: string }[] = ALL.map((view) => ({
-  view,
-  label: en.views[view],
-}));
+export type View = (typeof VIEWS)[number];

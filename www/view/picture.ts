@@ -1,5 +1,6 @@
 /** Pictures for the image view: a pattern that shows direction and size, and whatever the user has. */
 
+import { later } from "../words/later";
 import { rgbFromOklab } from "./palette";
 import type { Picture } from "./raster";
 
@@ -39,11 +40,11 @@ export async function pictureFrom(file: Blob): Promise<Picture> {
   try {
     bitmap = await createImageBitmap(file);
   } catch {
-    throw new Error("The picture could not be read; choose a PNG, JPEG or WebP file.");
+    throw new Error(later.pictures.unread);
   }
   const size = PICTURE_SIZE;
   const context = new OffscreenCanvas(size, size).getContext("2d");
-  if (!context) throw new Error("This browser gives no 2D canvas; use a current Firefox, Chrome or Safari.");
+  if (!context) throw new Error(later.pictures.canvas);
   const scale = size / Math.max(bitmap.width, bitmap.height);
   const width = bitmap.width * scale;
   const height = bitmap.height * scale;

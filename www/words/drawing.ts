@@ -1,11 +1,13 @@
 /** What the page says of the tools that are fetched when they are first taken up. */
 
 import type { Point } from "../shapes/geometry";
+import { page } from "./language";
+import { written } from "./numbers";
 import { place } from "./place";
 
 type Side = "reference" | "template";
 
-export const guides = {
+export const guides = page("guides", {
   circle: "Press where the middle is to be, and drag outwards.",
   polygon: "Press corner after corner; the first corner again closes the outline.",
   mirror: "Draw one half from the dashed line back to it: the other half is its mirror image.",
@@ -15,19 +17,19 @@ export const guides = {
       ? `${points(count)}: go on with the next.`
       : `${points(count)}: press the first again, or Enter, to close.`,
   rim: "Arrow keys widen the circle, Enter sets it down.",
-};
+});
 
-export const actions = {
+export const actions = page("outline", {
   close: "Close outline",
   back: "Delete last",
   giveUp: "Give up",
   rounding: "Smooth",
   roundness: (percent: number) => (percent === 0 ? "as drawn" : `${percent} %`),
   deleteCurve: "Delete curve",
-};
+});
 
 /** Spoken; points counted from 0. */
-export const told = {
+export const told = page("told", {
   walk: (at: Point, index: number | null, count: number, closes: boolean) =>
     index === null
       ? `${place(at)}.`
@@ -43,14 +45,14 @@ export const told = {
   putBack: "Put back.",
   givenUp: "The outline is given up.",
   centre: (at: Point) => `Middle set: ${place(at)}. Arrow keys widen the circle, Enter sets it down.`,
-  rim: (at: Point, radius: number) => `${place(at)}: radius ${Number(radius.toFixed(3))}.`,
+  rim: (at: Point, radius: number) => `${place(at)}: radius ${written(String(Number(radius.toFixed(3))))}.`,
   circleGivenUp: "The circle is given up.",
   rounded: (percent: number, side: Side) =>
     percent === 0
       ? `The curve of the ${side} is as it was drawn.`
       : `The curve of the ${side} is smoothed by ${percent} %.`,
   curveDeleted: (side: Side) => `Curve deleted from the ${side}.`,
-};
+});
 
 function points(count: number): string {
   return count === 1 ? "1 point" : `${count} points`;

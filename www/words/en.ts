@@ -1,15 +1,104 @@
-/** Everything that the result's side of the page says, in English. Another language is another such object. */
+/** What the page says from the first load on. */
 
+import type { Inspection, Status } from "../protocol";
 import type { View } from "../view/names";
+import { CRUMPLED, FITS } from "./facts";
+import { page } from "./language";
+import { decimals } from "./numbers";
 
-export const en = {
-  language: "en",
+type Side = "reference" | "template";
+
+export const en = page("en", {
+  /** What a press does. */
+  actions: {
+    match: "Match",
+    live: "Live",
+    liveHelp: "The match follows your hand while you change a shape or a setting",
+    pause: "Pause",
+    resume: "Resume",
+    cancel: "Cancel",
+    undo: "Undo",
+    redo: "Redo",
+    fit: "Fit",
+    fitHelp: "Scale and centre both shapes",
+    copy: "Copy link",
+    copied: "Copied",
+    seeAddress: "See address bar",
+    copyHelp: "A link that brings back everything: shapes, pins, settings, view",
+    drawAgain: "Draw again",
+    dismiss: "Dismiss",
+    matchOn: (grid: string) => `Match on ${grid}`,
+  },
+
+  sketch: {
+    names: { reference: "Reference", template: "Template" },
+    surface: { reference: "Reference shape", template: "Template shape" },
+    clear: "Clear",
+    clearSide: (side: Side) => `Clear ${side}`,
+    invitation: "Draw a closed curve here",
+  },
+
+  imports: {
+    name: "Import",
+    of: (side: Side) => `Import ${side}`,
+    help: (side: Side) => `Take the ${side} from a drawing, a picture, a list of points or the gallery`,
+    what: "The import",
+    loading: "Loading the import …",
+  },
+
+  /** The parts of the page that are fetched when they are opened. */
+  parts: {
+    energies: "Energies over iterations",
+    runs: "Runs so far",
+    compare: "Compare side by side",
+    settings: "Settings",
+    changed: (count: number) => `(${count} changed)`,
+    named: (title: string) => `“${title}”`,
+    loading: "Loading …",
+  },
+
+  /** What is fetched on demand and did not come. */
+  missing: {
+    sentence: (what: string) => `${what} could not be loaded; check the connection and try again, or reload the page.`,
+    tool: "What is needed for this tool",
+    draw: "What is needed to draw",
+    pins: "What is needed for pins",
+    view: "This view",
+    files: "What saves files",
+    language: "This language",
+  },
+
+  solver: {
+    refused:
+      "The solver could not be started, because the browser refuses the page's worker. Reload the page, and let its security policy allow “worker-src blob:”; a browser extension may forbid workers, too",
+    stopped: (why: string) =>
+      `The solver stopped unexpectedly (${why}). Your shapes are kept; press Match to try again with a fresh one.`,
+    offline: "the solver could not be loaded; check the connection, then try again or reload the page",
+    unanswered: (status: number) => `the solver could not be loaded (${status}); reload the page`,
+    untaken: (why: string) =>
+      `the solver could not be loaded, since this browser does not take its WebAssembly (${why}); use a current Firefox, Chrome or Safari, and let the page's security policy allow 'wasm-unsafe-eval'`,
+    canvas: "this browser gives no 2D canvas; use a current Firefox, Chrome or Safari",
+  },
+
+  readout: {
+    name: "Numbers at the point",
+    point: "Point",
+    partner: "Partner",
+    stretch: "Stretch",
+    determinant: "Area ratio",
+    curvatures: "Curvatures",
+    distance: "Distance",
+    perSide: "per side",
+    cells: "cells",
+  },
 
   examples: {
     title: "Or start from an example",
     gallery: "Open the gallery",
     galleryHelp: "Countries, animals and things, to be taken as reference or template",
   },
+
+  view: "View",
 
   views: {
     grid: "Grid",
@@ -40,13 +129,19 @@ export const en = {
     following: "Following your hand …",
     paused: "Paused.",
     matching: "Matching …",
-    finished: "Finished.",
     shapesChanged: "The shapes have changed: press Match.",
     settingsChanged: "The settings have changed: press Match.",
     pinsChanged: "The pins have changed: press Match.",
     on: (approach: string, grid: string) => `${approach}, on the ${grid} grid …`,
-    unseen: ", too small to see.",
-    crumpled: (measure: string) => `The moved curve lies in folds: it is ${measure} times as long as the target.`,
+    /** What the solver says in English; in other languages it is said again from `facts` (facts.ts). */
+    approach: ({ approach }: Status) => approach,
+    stop: ({ stop }: Status) => stop ?? "Finished.",
+    verdict: ({ verdict, facts: [, , kind], measure }: Status): string | null => {
+      if (kind === FITS) return verdict?.replace(/\.$/, ", too small to see.") ?? null;
+      if (kind !== CRUMPLED) return verdict;
+      return `${verdict} The moved curve lies in folds: it is ${decimals(measure)} times as long as the target.`;
+    },
+    unresolved: ({ words }: Inspection) => words,
   },
 
   numbers: {
@@ -81,7 +176,7 @@ export const en = {
     help: "The result alone on the whole screen, in large type",
   },
 
-  enlarge: { what: "The large surface", begin: (side: string) => `Enlarge ${side}` },
+  enlarge: { what: "The large surface", begin: (side: Side) => `Enlarge ${side}` },
 
   guess: { begin: "Guess first", another: "Another point", end: "Done" },
 
@@ -114,6 +209,8 @@ export const en = {
 
   /** The state in the result's accessible name. */
   result: {
+    name: (state: string) => `Deformed grid and matched curve: ${state}`,
+    title: "Match",
     starting: "the solver is starting",
     none: "not matched yet, the grid is undeformed",
     stale: "matched, but with other settings than those chosen now",
@@ -126,6 +223,4 @@ export const en = {
     back: "Back to the result",
     numbers: "What measures a point",
   },
-};
-
-export type Words = typeof en;
+});

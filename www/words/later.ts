@@ -2,13 +2,18 @@
 
 import type { View } from "../view/names";
 import { en } from "./en";
+import { page } from "./language";
 
-export const later = {
+type Side = "reference" | "template";
+
+export const later = page("later", {
   settings: {
     plain: "Settings that most people want",
     experts: "For those who know the paper",
     groups: { Energies: "Energies", Grid: "Grid", Method: "Method" },
     automatic: (value: string) => `Now: ${value} box sides.`,
+    reset: "Reset to defaults",
+    slider: (label: string) => `${label}, slider`,
   },
 
   compare: {
@@ -19,6 +24,7 @@ export const later = {
     run: "Compare",
     running: "Comparing …",
     stop: "Stop comparing",
+    stopped: (why: string) => `The solver stopped unexpectedly (${why}); compare again.`,
     view: "View of both",
     morph: "Morph of both",
     result: (name: string) => `Result of ${name}`,
@@ -83,20 +89,42 @@ export const later = {
   },
 
   enlarged: {
-    begun: (side: string) => `The ${side} fills the screen; Done leads back.`,
+    begun: (side: Side) => `The ${side} fills the screen; Done leads back.`,
     undo: "Undo",
     redo: "Redo",
-    other: (side: string) => `To the ${side}`,
+    other: (side: Side) => `To the ${side}`,
     done: "Done",
   },
 
-  gallery: { title: "Gallery", importing: (side: string) => `Import a ${side}` },
+  gallery: { title: "Gallery", importing: (side: Side) => `Import a ${side}` },
 
   present: { keys: "Space plays, ← → step, v next view, Esc leaves" },
-};
+
+  /** What the colours of the views stand for. */
+  scales: {
+    stretch: "Length after / before",
+    determinant: "Area after / before",
+    curvature: "Curvature",
+    band: "Weight η of the shell",
+    mismatch: "|d₂∘φ − d₁|",
+    stretching: "Stretching energy, W",
+    bending: "Bending energy, |S|²",
+    volume: "Volume energy, W",
+    perSide: "per box side",
+    perSquare: "per side²",
+    cells: "cells",
+  },
+
+  pictures: {
+    unread: "The picture could not be read; choose a PNG, JPEG or WebP file.",
+    canvas: "This browser gives no 2D canvas; use a current Firefox, Chrome or Safari.",
+  },
+
+  forces: { failed: "The forces could not be computed" },
+});
 
 /** What the colours, lines and ticks of each view mean. */
-export const captions: Readonly<Record<View, string>> = {
+export const captions: Readonly<Record<View, string>> = page("captions", {
   grid: en.gridCaption,
   image:
     "Each point of the picture is carried to where the deformation takes it. Orange is the target; the black line is the reference, carried along.",
@@ -117,4 +145,4 @@ export const captions: Readonly<Record<View, string>> = {
     "Along the matched curve, what the change of its curvature costs at each place, before its weight: dark is nothing, light the most. Thin grey is where the reference was, pale orange the target.",
   volume:
     "What the deformation of the plane costs at each place, before its weight: dark is nothing, light the most. The orange line is the target, the black one the reference, carried along.",
-};
+});

@@ -1,13 +1,15 @@
 /** What the page says of links that it cannot read. */
 
+import { page } from "./language";
+
 /** Characters of what was given that a sentence repeats. */
 const LONGEST = 40;
 
-function brief(text: string): string {
+export function brief(text: string): string {
   return text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text;
 }
 
-export const links = {
+export const links = page("links", {
   unread: (why: string) =>
     `The link could not be read: ${why}. Your last shapes are shown instead; ask for a fresh link to see the others.`,
   kept: (why: string) => `The link could not be read: ${why}. Everything is left as it was.`,
@@ -26,4 +28,8 @@ export const links = {
   pinOutside: "a pin lies outside the box",
   noView: (view: string) => `there is no view called “${brief(view)}”`,
   noMorph: (text: string) => `the morph is “${brief(text)}”, but must be a number from 0 to 1`,
-};
+  /** A setting in a link, a file or a field. */
+  noChoice: (label: string, given: string, known: string) => `${label} is “${given}”, but must be one of ${known}`,
+  noNumber: (label: string, given: string, least: number, most: number) =>
+    `${label} is “${given}”, but must be a number from ${least} to ${most}`,
+});

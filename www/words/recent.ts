@@ -1,6 +1,8 @@
 /** What the list of sessions says. */
 
-export const recent = {
+import { page } from "./language";
+
+export const recent = page("recent", {
   none: "What you draw is kept here, in this browser alone.",
   help: "Kept in this browser alone, each tab's by itself. Opening one is a step that can be undone.",
   drawn: "Drawn shapes",
@@ -11,4 +13,4 @@ export const recent = {
   removeShort: "Delete",
   before: "earlier",
   when: (time: Date) => time.toLocaleString("en-GB", { dateStyle: "medium", timeStyle: "short" }),
-};
+});

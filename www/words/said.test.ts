@@ -20,6 +20,7 @@ function status(more: Partial<Status> = {}): Status {
     stretch: { mean: 1, deviation: 0 },
     measure: 1,
     verdict: "Fits: nowhere more than 0.03 cells off.",
+    facts: Float64Array.of(0, 0, 4),
     approach: "Matching directly",
     ...more,
   };
@@ -58,10 +59,15 @@ test("a result of other settings is no answer to those chosen now", () => {
 });
 
 test("what does not fit is never called too small to see", () => {
-  expect(verdict(status({ verdict: "Does not fit. The largest distance is 2.00 cells, at (0.5, 0.5)." }))).toBe(
-    "Does not fit. The largest distance is 2.00 cells, at (0.5, 0.5).",
-  );
-  expect(verdict(status({ verdict: "Crumpled (measure 1.30).", measure: 1.3 }))).toBe(
+  expect(
+    verdict(
+      status({
+        facts: Float64Array.of(0, 0, 6),
+        verdict: "Does not fit. The largest distance is 2.00 cells, at (0.5, 0.5).",
+      }),
+    ),
+  ).toBe("Does not fit. The largest distance is 2.00 cells, at (0.5, 0.5).");
+  expect(verdict(status({ facts: Float64Array.of(0, 0, 3), verdict: "Crumpled (measure 1.30).", measure: 1.3 }))).toBe(
     "Crumpled (measure 1.30). The moved curve lies in folds: it is 1.3 times as long as the target.",
   );
   expect(verdict(status({ verdict: null }))).toBe("Converged: the energy falls no more.");
@@ -85,7 +91,7 @@ test.each([
 });
 
 test("every view has a caption of whole sentences that names what is seen", () => {
-  for (const { view } of VIEWS) {
+  for (const view of VIEWS) {
     const caption = captions[view];
     expect(en.views[view]).toMatch(/^[A-Z]/);
     expect(caption).toMatch(/^[A-Z].*\.$/);

@@ -37,19 +37,15 @@ export function headline({ phase, loaded, status, stale, otherPins }: Told): str
     case "pausedRefining":
       return say.paused;
   }
-  if (!isDone(phase)) return status ? say.on(status.approach, gridName(status.level)) : say.matching;
+  if (!isDone(phase)) return status ? say.on(say.approach(status), gridName(status.level)) : say.matching;
   if (!status) return say.shapesChanged;
   if (stale) return otherPins ? say.pinsChanged : say.settingsChanged;
   return verdict(status);
 }
 
 /** How the match ended, and what that means for the eye. */
-export function verdict({ verdict, stop, measure }: Status): string {
-  const { status: say } = words;
-  if (!verdict) return stop ?? say.finished;
-  if (verdict.startsWith("Fits: ")) return verdict.replace(/\.$/, say.unseen);
-  if (verdict.startsWith("Crumpled")) return `${verdict} ${say.crumpled(decimals(measure))}`;
-  return verdict;
+export function verdict(status: Status): string {
+  return words.status.verdict(status) ?? words.status.stop(status);
 }
 
 /** The state, for those who do not see the picture. */

@@ -1,32 +1,37 @@
 /** What the page says of strokes that are no shapes, and of the ways out. */
 
 import type { Fault } from "../shapes/judge";
+import { page } from "./language";
 import { decimals } from "./numbers";
+
+type Side = "reference" | "template";
+
+export const strokes = page("strokes", {
+  faults: {
+    crossing: (): string => "This line crosses itself, so it does not say what is inside.",
+    flat: (): string => "This line encloses nothing: draw all the way round what is to be inside.",
+    small: (size: string) => `This curve is ${size} cells wide, and the grid sees nothing below four.`,
+    border: (): string => "This curve crosses the border of the box, or comes too close to it.",
+  },
+  ways: {
+    crossing: "Keep its larger part",
+    flat: "",
+    small: "Enlarge it",
+    border: "Move it inside",
+  },
+  /** Spoken when a shape is another one, or has another number of curves than before. */
+  changed: (side: Side) => `The ${side} has changed.`,
+  curves: (side: Side, count: number) => {
+    if (count === 0) return `The ${side} is empty now.`;
+    return count === 1 ? `The ${side} is one closed curve now.` : `The ${side} has ${count} closed curves now.`;
+  },
+});
 
 /** `size` in cells of the grid: how wide a curve is, or how far it is out. */
 export function faultWords(fault: Fault, size: number): string {
-  switch (fault) {
-    case "crossing":
-      return "This line crosses itself, so it does not say what is inside.";
-    case "flat":
-      return "This line encloses nothing: draw all the way round what is to be inside.";
-    case "small":
-      return `This curve is ${decimals(size)} cells wide, and the grid sees nothing below four.`;
-    case "border":
-      return "This curve crosses the border of the box, or comes too close to it.";
-  }
+  return strokes.faults[fault](decimals(size));
 }
 
-export const WAYS: Readonly<Record<Fault, string>> = {
-  crossing: "Keep its larger part",
-  flat: "",
-  small: "Enlarge it",
-  border: "Move it inside",
-};
-
-/** Spoken when a shape has another number of curves than before, or is another one. */
-export function changeWords(side: "reference" | "template", before: number, after: number): string {
-  if (after === before) return `The ${side} has changed.`;
-  if (after === 0) return `The ${side} is empty now.`;
-  return after === 1 ? `The ${side} is one closed curve now.` : `The ${side} has ${after} closed curves now.`;
+export function changeWords(side: Side, before: number, after: number): string {
+  return after === before ? strokes.changed(side) : strokes.curves(side, after);
 }

@@ -1,5 +1,8 @@
 /** What the page says of the tools to draw with. */
-export const words = {
+
+import { page } from "./language";
+
+export const words = page("tools", {
   group: "Tool",
   draw: { label: "Draw", help: "Draw, bend and move shapes" },
   circle: { label: "Circle", help: "Drag a circle from its middle" },
@@ -8,12 +11,12 @@ export const words = {
   pin: { label: "Pin", help: "Tie a point of the reference to a point of the template" },
   drawFirst: "Draw a closed curve on either side.",
   drawOn: "Draw, pull a curve to bend it, or take its round grip to move it.",
-};
+});
 
 const OTHER = { reference: "template", template: "reference" } as const;
 
 /** What the two shapes do to each other. */
-export const exchange = {
+export const exchange = page("exchange", {
   name: "Swap or copy the shapes",
   swap: "Swap the shapes",
   copy: (from: keyof typeof OTHER) => `Copy the ${from} to the ${OTHER[from]}`,
@@ -23,4 +26,4 @@ export const exchange = {
     `The ${OTHER[from]} is what the ${from} is.${pins > 0 ? " The pins are deleted." : ""}`,
   pinsDropped: (side: keyof typeof OTHER, pins: number) =>
     `${pins === 1 ? "The pin is" : `All ${pins} pins are`} deleted, for the ${side} that ${pins === 1 ? "it led" : "they led"} to is gone. Undo brings both back.`,
-};
+});

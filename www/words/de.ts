@@ -1,0 +1,39 @@
+/** Deutsch: dieselben Sätze wie auf Englisch, in derselben Gestalt. Kommt erst, wenn es verlangt wird. */
+
+import type { Book } from "./book";
+import { exchange, guides, outline, pinActions, pinReports, pinsTold, strokes, told, tools } from "./de/drawing";
+import { experiments, experimentTexts } from "./de/experiments";
+import { files, imports, links } from "./de/files";
+import { captions, later, memory, offline, recent } from "./de/later";
+import { page } from "./de/page";
+import { experimentsFile, indexFile } from "./de/prose";
+import { presets, settings } from "./de/settings";
+
+export const de: Book = {
+  en: page,
+  later,
+  captions,
+  links,
+  memory,
+  recent,
+  offline,
+  numbers: { point: ",", undefined: "nicht bestimmt", above: "über alle Grenzen", below: "unter alle Grenzen" },
+  place: { at: (x, y) => `${x} von links, ${y} von unten` },
+  tools,
+  exchange,
+  guides,
+  outline,
+  told,
+  strokes,
+  pinActions,
+  pinsTold,
+  pinReports,
+  files,
+  imports,
+  settings,
+  presets,
+  experiments,
+  experimentTexts,
+  indexFile,
+  experimentsFile,
+};

@@ -1,0 +1,216 @@
+/** Was die Seite von Anfang an sagt. */
+
+import type { Book } from "../book";
+import { capital, DER } from "./sides";
+import { approach, stop, unresolved, verdict } from "./solver";
+
+export const page: Book["en"] = {
+  actions: {
+    match: "Abgleichen",
+    live: "Live",
+    liveHelp: "Der Abgleich folgt Ihrer Hand, während Sie eine Form oder eine Einstellung ändern",
+    pause: "Anhalten",
+    resume: "Fortsetzen",
+    cancel: "Abbrechen",
+    undo: "Rückgängig",
+    redo: "Wiederholen",
+    fit: "Einpassen",
+    fitHelp: "Beide Formen skalieren und in die Mitte setzen",
+    copy: "Link kopieren",
+    copied: "Kopiert",
+    seeAddress: "Siehe Adresszeile",
+    copyHelp: "Ein Link, der alles zurückbringt: Formen, Nadeln, Einstellungen, Ansicht",
+    drawAgain: "Neu zeichnen",
+    dismiss: "Verstanden",
+    matchOn: (grid) => `Auf ${grid} abgleichen`,
+  },
+
+  sketch: {
+    names: { reference: "Referenz", template: "Ziel" },
+    surface: { reference: "Form der Referenz", template: "Form des Ziels" },
+    clear: "Leeren",
+    clearSide: (side) => `Leeren: ${DER[side]}`,
+    invitation: "Zeichnen Sie hier eine geschlossene Kurve",
+  },
+
+  imports: {
+    name: "Importieren",
+    of: (side) => `Importieren: ${DER[side]}`,
+    help: (side) => `${capital(DER[side])} aus einer Zeichnung, einem Bild, einer Punktliste oder der Galerie nehmen`,
+    what: "Der Import",
+    loading: "Der Import wird geladen …",
+  },
+
+  parts: {
+    energies: "Energien über den Iterationen",
+    runs: "Bisherige Läufe",
+    compare: "Nebeneinander vergleichen",
+    settings: "Einstellungen",
+    changed: (count) => `(${count} geändert)`,
+    named: (title) => `„${title}“`,
+    loading: "Wird geladen …",
+  },
+
+  missing: {
+    sentence: (what) =>
+      `Nicht geladen: ${what}. Prüfen Sie die Verbindung und versuchen Sie es noch einmal, oder laden Sie die Seite neu.`,
+    tool: "was dieses Werkzeug braucht",
+    draw: "was zum Zeichnen nötig ist",
+    pins: "was Nadeln brauchen",
+    view: "diese Ansicht",
+    files: "was Dateien speichert",
+    language: "diese Sprache",
+  },
+
+  solver: {
+    refused:
+      "Der Löser ließ sich nicht starten, weil der Browser den Worker der Seite ablehnt. Laden Sie die Seite neu; ihre Sicherheitsregeln müssen „worker-src blob:“ erlauben. Auch eine Browsererweiterung kann Worker verbieten",
+    stopped: (why) =>
+      `Der Löser ist unerwartet stehen geblieben (${why}). Ihre Formen sind noch da; mit „Abgleichen“ beginnt ein neuer Versuch.`,
+    offline:
+      "der Löser konnte nicht geladen werden; prüfen Sie die Verbindung und versuchen Sie es noch einmal, oder laden Sie die Seite neu",
+    unanswered: (status) => `der Löser konnte nicht geladen werden (${status}); laden Sie die Seite neu`,
+    untaken: (why) =>
+      `der Löser konnte nicht geladen werden, weil dieser Browser sein WebAssembly nicht annimmt (${why}); nehmen Sie einen aktuellen Firefox, Chrome oder Safari, und erlauben Sie in den Sicherheitsregeln der Seite 'wasm-unsafe-eval'`,
+    canvas: "dieser Browser bietet keine 2D-Zeichenfläche; nehmen Sie einen aktuellen Firefox, Chrome oder Safari",
+  },
+
+  readout: {
+    name: "Zahlen am Punkt",
+    point: "Punkt",
+    partner: "Partner",
+    stretch: "Streckung",
+    determinant: "Flächenverhältnis",
+    curvatures: "Krümmungen",
+    distance: "Abstand",
+    perSide: "je Seitenlänge",
+    cells: "Zellen",
+  },
+
+  examples: {
+    title: "Oder mit einem Beispiel beginnen",
+    gallery: "Galerie öffnen",
+    galleryHelp: "Länder, Tiere und Dinge, als Referenz oder als Ziel zu nehmen",
+  },
+
+  view: "Ansicht",
+
+  views: {
+    grid: "Gitter",
+    image: "Mitgeführtes Bild",
+    pullback: "Zurückgezogenes Bild",
+    stretch: "Streckung",
+    determinant: "Flächenverhältnis",
+    curvature: "Krümmung",
+    band: "Band",
+    mismatch: "Abweichung",
+    stretching: "Streckungsenergie",
+    bending: "Biegeenergie",
+    volume: "Volumenenergie",
+  },
+
+  gridCaption:
+    "Gleiche Farben sind einander zugeordnete Punkte: dünn, wo die Referenz war, in ihrem schattierten Band, und dick, wohin sie geht; kurze Striche verbinden beide. Die breite blasse Linie ist das Ziel, gestrichelt, wo es nicht erreicht wurde. Das Netz ist die verformte Ebene.",
+
+  dashed: " Gestrichelt ist, was vom Ziel nicht erreicht wurde.",
+
+  status: {
+    ready: "Bereit: Drücken Sie „Abgleichen“.",
+    cancelled: "Abgebrochen. „Abgleichen“ beginnt von vorn.",
+    preparing: "Die Formen werden vorbereitet …",
+    loading: "Der Löser wird geladen …",
+    following: "Folgt Ihrer Hand …",
+    paused: "Angehalten.",
+    matching: "Abgleich läuft …",
+    shapesChanged: "Die Formen haben sich geändert: Drücken Sie „Abgleichen“.",
+    settingsChanged: "Die Einstellungen haben sich geändert: Drücken Sie „Abgleichen“.",
+    pinsChanged: "Die Nadeln haben sich geändert: Drücken Sie „Abgleichen“.",
+    on: (what, grid) => `${what}, auf dem Gitter ${grid} …`,
+    approach,
+    stop,
+    verdict,
+    unresolved,
+  },
+
+  numbers: {
+    level: "Gitter",
+    iteration: "Iteration",
+    total: "Energie",
+    "mismatch-max": "Größter Abstand",
+    "mismatch-mean": "Mittlerer Abstand",
+    "cover-max": "Ziel verfehlt um",
+    measure: "Längenverhältnis",
+    "least-determinant": "Kleinstes Flächenverhältnis",
+    cells: "Zellen",
+    noCells: "keiner: Das Gitter sieht die Kurve nicht",
+  },
+
+  terms: {
+    title: "Energie nach Termen",
+    names: { membrane: "Streckung", bending: "Biegung", mismatch: "Abweichung", volume: "Volumen" },
+    forces: "Ihre Kräfte als Pfeile zeigen",
+    rest: (energy) => `Über den ${energy}, die schon da sind, bevor etwas verformt ist.`,
+    helps: {
+      membrane: "Aus: Die Schale darf sich entlang der Kurve umsonst strecken.",
+      bending: "Aus: Die Schale darf sich umsonst biegen.",
+      volume: "Aus: Die Ebene ringsum gibt fast frei nach; ein Rest bleibt, sonst könnte sie sich falten.",
+    },
+  },
+
+  present: {
+    enter: "Vorführen",
+    what: "die Vorführung",
+    leave: "Beenden",
+    help: "Nur das Ergebnis auf dem ganzen Bildschirm, in großer Schrift",
+  },
+
+  enlarge: { what: "die große Zeichenfläche", begin: (side) => `Vergrößern: ${DER[side]}` },
+
+  guess: { begin: "Erst raten", another: "Anderer Punkt", end: "Fertig" },
+
+  save: {
+    name: "Speichern",
+    busy: "Wird gespeichert …",
+    legend: "Mit Legende",
+    formats: {
+      png: "Bild (PNG)",
+      svg: "Zeichnung (SVG)",
+      json: "Alles (JSON)",
+      csv: "Zugeordnete Punkte (CSV)",
+      video: "Übergang als Video (WebM)",
+      gif: "Übergang als GIF",
+    },
+    failed: (what, why) => `Nicht gespeichert: ${what}. ${why}`,
+  },
+
+  morph: {
+    name: "Übergang",
+    what: "was nach Falten sucht",
+    play: "Übergang abspielen",
+    stop: "Übergang anhalten",
+    part: (percent) => `${percent} % der Verformung`,
+    how: "Wie der Übergang abläuft",
+    plays: { once: "einmal", loop: "immer wieder", swing: "hin und her" },
+    folds: (first, last) =>
+      `Unterwegs, von ${first} bis ${last} %, faltet sich die Ebene irgendwo; der Abgleich selbst tut das nicht.`,
+  },
+
+  result: {
+    name: (state) => `Verformtes Gitter und zugeordnete Kurve: ${state}`,
+    title: "Abgleich",
+    starting: "der Löser beginnt",
+    none: "noch nicht abgeglichen, das Gitter ist unverformt",
+    stale: "abgeglichen, aber mit anderen Einstellungen als den jetzt gewählten",
+    otherPins: "abgeglichen, aber mit anderen Nadeln als den jetzt gesetzten",
+    matched: (distance) => `abgeglichen, höchstens ${distance} Zellen daneben, keine Zelle gefaltet`,
+    blind: "abgeglichen, aber das Gitter sieht die Kurve nicht",
+    doing: { paused: "angehalten", following: "folgt Ihrer Hand", matching: "Abgleich läuft" },
+    on: (doing, side) => `${doing}, auf dem Gitter ${side} mal ${side}`,
+    outdated: {
+      settings: "Mit anderen Einstellungen berechnet",
+      pins: "Mit anderen Nadeln berechnet",
+    },
+    back: "Zurück zum Ergebnis",
+    numbers: "was an einem Punkt misst",
+  },
+};

@@ -182,7 +182,7 @@ function start(root: HTMLElement, isSpoken: boolean): void {
 
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no #app");
-readFile("indexFile", "h1, .promise, #method h2, #method p, footer");
+readFile("indexFile", "h1, .promise, #method h2, #method p, footer p");
 // On its way while the page is drawn, which does not wait for it.
 const coming = fetchHands();
 begin().then(

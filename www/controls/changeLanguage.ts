@@ -1,4 +1,4 @@
-/** The switch in the head of the page: another language, by which nothing is lost. */
+/** The switch at the foot of the page: another language, by which nothing is lost. */
 
 import { language, speak } from "../words/language";
 import { change, KEY } from "./language";

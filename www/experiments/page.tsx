@@ -192,7 +192,7 @@ function Piece({ block, name }: { block: Block; name: string }) {
 
 const root = document.getElementById("experiments");
 if (!root) throw new Error("experiments.html has no #experiments");
-readFile("experimentsFile", "h1, .promise, footer");
+readFile("experimentsFile", "h1, .promise, footer p");
 page("experimentTexts", Object.fromEntries(EXPERIMENTS.map((experiment) => [experiment.id, experiment])));
 listenForLanguage(() => {});
 const runs = new Runs(moduleAt(solverUrl));

@@ -12,7 +12,7 @@ mod state;
 mod status;
 
 #[cfg(feature = "surfaces")]
-use crate::verdict::SolidPair;
+use crate::verdict::{NARROW, NO_FACT, SolidPair};
 use crate::verdict::{Pair, Unresolved};
 use js_sys::Promise;
 use plane::Curves;

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, w
 import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { heading, main, must, root } from "./lib/process.mjs";
-import { settingsModule, settingsTypes } from "./lib/settings.mjs";
+import { OFFERED_TYPES, offeredModule, settingsModule, settingsTypes } from "./lib/settings.mjs";
 import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setup.mjs";
 
 // What every browser with SIMD has and what rustc takes for granted on this target, plus SIMD itself. wasm-opt refuses
@@ -64,6 +64,8 @@ async function writeSettings(folder) {
   const settings = describeSettings();
   writeFileSync(join(folder, "settings.js"), settingsModule(settings));
   writeFileSync(join(folder, "settings.d.ts"), settingsTypes(settings));
+  writeFileSync(join(folder, "offered.js"), offeredModule(settings));
+  writeFileSync(join(folder, "offered.d.ts"), OFFERED_TYPES);
 }
 
 /**

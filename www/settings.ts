@@ -1,7 +1,7 @@
 /** The settings that the page offers, as the solver declares them: what a form or a link says of them is read here. */
 
 import type { Settings } from "./protocol";
-import { SETTINGS, type Setting } from "./wasm/settings.js";
+import { OFFERED, type Offered } from "./wasm/offered.js";
 import { page } from "./words/language";
 import { links as say } from "./words/links";
 
@@ -10,7 +10,6 @@ type Common = {
   readonly label: string;
   /** As the formulas have it, an index after a low line; part of the label where it has none. */
   readonly symbol: string;
-  readonly help: string;
   readonly group: "Energies" | "Grid" | "Method";
 };
 
@@ -31,31 +30,29 @@ export type ChoiceSetting = Common & {
 export type SettingField = NumberSetting | ChoiceSetting;
 export type Chosen = Partial<Settings>;
 
-export const FIELDS: readonly SettingField[] = SETTINGS.filter((setting) => setting.onPage).flatMap(fieldOf);
+export const FIELDS: readonly SettingField[] = OFFERED.filter((setting) => setting.onPage).map(fieldOf);
 
 // In other languages than the solver's.
 page("settings", Object.fromEntries(FIELDS.map((field) => [field.name, field])));
 
-function fieldOf(setting: Setting): SettingField[] {
-  // The page has its own way to set pins: by hand.
-  if (setting.kind === "pins") return [];
-  const { name, symbol, help, group } = setting;
+function fieldOf(setting: Offered): SettingField {
+  const { name, symbol, group } = setting;
   // A symbol with an index cannot be set as plain text.
   const label = symbol === "" || symbol.includes("_") ? setting.label : `${setting.label} ${symbol}`;
-  const common = { name, label, symbol, help, group };
+  const common = { name, label, symbol, group };
   switch (setting.kind) {
     case "number": {
       const [least, most] = setting.usual;
-      return [{ ...common, kind: "number", initial: setting.initial, least, most, unit: setting.unit }];
+      return { ...common, kind: "number", initial: setting.initial, least, most, unit: setting.unit };
     }
     case "level": {
       const [first, last] = setting.usual;
       const levels = Array.from({ length: last - first + 1 }, (_, i) => first + i);
       const options = levels.map((value) => ({ value, label: `${2 ** value + 1} × ${2 ** value + 1}` }));
-      return [{ ...common, kind: "choice", initial: setting.initial, options }];
+      return { ...common, kind: "choice", initial: setting.initial, options };
     }
     case "choice":
-      return [{ ...common, kind: "choice", initial: setting.initial, options: setting.options }];
+      return { ...common, kind: "choice", initial: setting.initial, options: setting.options };
   }
 }
 
@@ -104,7 +101,7 @@ export function bandwidth(chosen: Chosen): number {
 
 /** The default of a level's setting. */
 function level(name: "coarsest" | "finest"): number {
-  const setting = SETTINGS.find((candidate) => candidate.name === name);
+  const setting = OFFERED.find((candidate) => candidate.name === name);
   return setting?.kind === "level" ? setting.initial : Number.NaN;
 }
 

@@ -1,4 +1,5 @@
-// What `describeSettings` of the solver says, as files: the package's settings.js and settings.d.ts, and docs/settings.md.
+// What `describeSettings` of the solver says, as files: the package's settings.js, offered.js and their types, and
+// docs/settings.md.
 
 /** @typedef {import("../../www/wasm/settings.js").Setting} Setting */
 
@@ -55,6 +56,29 @@ export declare const SETTINGS: readonly Setting[];
 export function settingsModule(settings) {
   return `// Written by scripts/wasm.mjs from the solver's declarations.\nexport const SETTINGS = ${JSON.stringify(settings, null, 1)};\n`;
 }
+
+/**
+ * What a page has to know before it shows a form: of the settings that it offers, and of levels, all but explanations.
+ * @param {readonly Setting[]} settings
+ */
+export function offeredModule(settings) {
+  const offered = settings.filter(({ kind, onPage }) => kind !== "pins" && (onPage || kind === "level"));
+  const brief = offered.map((setting) => ({ ...setting, help: undefined, why: undefined }));
+  return `// Written by scripts/wasm.mjs from the solver's declarations.\nexport const OFFERED = ${JSON.stringify(brief, null, 1)};\n`;
+}
+
+export const OFFERED_TYPES = `/* Written by scripts/wasm.mjs. */
+
+import type { ChoiceSetting, LevelSetting, NumberSetting } from "./settings.js";
+
+/** What there is to know of the settings that the page offers, and of levels, but for explanations. */
+export type Offered =
+  | Omit<NumberSetting, "help" | "why">
+  | Omit<LevelSetting, "help">
+  | Omit<ChoiceSetting, "help">;
+
+export declare const OFFERED: readonly Offered[];
+`;
 
 /** @param {readonly Setting[]} settings */
 export function settingsTypes(settings) {

@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { changedFields, type Session } from "../session";
 import { bandwidth, FIELDS, type NumberSetting, parseSetting, type SettingField } from "../settings";
+import { helps } from "../words/helps";
 import { later } from "../words/later";
 import { decimals, written } from "../words/numbers";
 import { adopt } from "./adopt";
@@ -101,7 +102,7 @@ function Field({ session, field }: { session: Session; field: SettingField }) {
       )}
       {field.kind === "number" && <Slider session={session} field={field} value={Number(value)} />}
       <p id={`${id}-help`} class={problem.value ? "help wrong" : "help"}>
-        {problem.value ?? field.help}
+        {problem.value ?? helps[field.name]}
         {field.name === "bandwidth" && value === 0 && ` ${automatic(chosenBand(session))}`}
       </p>
     </div>

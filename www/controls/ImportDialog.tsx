@@ -139,7 +139,7 @@ export function ImportDialog({ session }: { session: Session }) {
         </button>
       </header>
       <Sources onInput={wish} browsing={browsing.value} onBrowse={() => (browsing.value = !browsing.value)} />
-      <div role="alert">{problem.value && <p class="refusal">{problem.value}</p>}</div>
+      <div role="alert">{problem.value && <p class="refusal">{say.words(problem.value)}</p>}</div>
       {(reading.value !== null || (draft.value && !result.value)) && (
         <Reading
           done={reading.value}

@@ -67,7 +67,7 @@ export function ImportPreview({ draft, result, side }: PreviewProps) {
 }
 
 function words({ prepared, problem }: Outcome): string {
-  if (!prepared) return problem ?? say.nothing;
+  if (!prepared) return problem ? say.words(problem) : say.nothing;
   const points = prepared.shape.reduce((sum, loop) => sum + loop.length / 2, 0);
   return say.counts(prepared.shape.length, points);
 }
@@ -82,7 +82,7 @@ export function ImportOptions({ draft, result, onChange }: OptionsProps) {
         <Choice
           label={say.options.shape}
           value={String(draft.chosen)}
-          options={Object.fromEntries(draft.choices.map((choice, i) => [String(i), choice.name]))}
+          options={Object.fromEntries(draft.choices.map((choice, i) => [String(i), say.words(choice.name)]))}
           onChange={(chosen) => onChange(withChoice(draft, Number(chosen)))}
         />
       )}
@@ -119,9 +119,9 @@ export function ImportOptions({ draft, result, onChange }: OptionsProps) {
         />
       )}
       <div class="notes" aria-live="polite">
-        {result.problem ? <p class="refusal">{result.problem}</p> : <p>{words(result)}</p>}
+        {result.problem ? <p class="refusal">{say.words(result.problem)}</p> : <p>{words(result)}</p>}
         {[...draft.notes, ...result.notes].map((note) => (
-          <p key={note}>{note}</p>
+          <p key={note}>{say.words(note)}</p>
         ))}
       </div>
     </div>

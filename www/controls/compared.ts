@@ -6,6 +6,7 @@ import type { FrameReply } from "../protocol";
 import type { Chosen } from "../settings";
 import { flat, type Shapes } from "../shapes/pins";
 import { Solver } from "../solver";
+import { en } from "../words/en";
 import { later } from "../words/later";
 
 export type Job = Shapes & { readonly settings: Chosen };
@@ -27,7 +28,7 @@ export class Comparison {
   constructor(engine: Engine, fail: (message: string) => void) {
     const failed = (message: string) => {
       this.stop();
-      fail(message);
+      fail(en.solver.words(message));
     };
     this.solver = new Solver(engine, {
       ready: () => {},

@@ -70,10 +70,10 @@ test.each([
   expect(verdict(found)).toBe(words);
 });
 
-test("without facts, as in files of before, the solver's own words stay", () => {
-  expect(verdict(status([]))).toBe("Fits: nowhere more than 0.03 cells off.");
+test("without facts, as in files of before and of surfaces, the solver's own words are said again", () => {
+  expect(verdict(status([]))).toBe("Passt: nirgends mehr als 0,03 Zellen daneben.");
   expect(en.status.stop(status([]))).toBe("Converged: the energy falls by less than the tolerance.");
-  expect(verdict(status([2.5, Number.NaN, 99, 1, 1, 7]))).toBe("Fits: nowhere more than 0.03 cells off.");
+  expect(verdict(status([2.5, Number.NaN, 99, 1, 1, 7]))).toBe("Passt: nirgends mehr als 0,03 Zellen daneben.");
 });
 
 test("every reason to end and every approach has a sentence of its own", () => {

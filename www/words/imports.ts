@@ -5,6 +5,8 @@ import { page } from "./language";
 type Side = "reference" | "template";
 
 export const imports = page("imports", {
+  /** What the import says in English of what it reads; in other languages it is said again. */
+  words: (english: string) => english,
   close: "Close",
   pastedText: "the pasted text",
   picture: "the picture",

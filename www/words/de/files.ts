@@ -3,6 +3,7 @@
 import type { Book } from "../book";
 import { brief } from "../links";
 import { written } from "../numbers";
+import { again } from "./again";
 import { SILHOUETTES } from "./silhouettes";
 
 const NAMES: Readonly<Record<string, string>> = { reference: "Referenz", template: "Ziel" };
@@ -63,6 +64,7 @@ export const files: Book["files"] = {
 };
 
 export const imports: Book["imports"] = {
+  words: again,
   close: "Schließen",
   pastedText: "dem eingefügten Text",
   picture: "dem Bild",

@@ -12,6 +12,7 @@ import {
   verdictOf,
 } from "../facts";
 import { decimals, written } from "../numbers";
+import { again } from "./again";
 import { capital, DES } from "./sides";
 
 const STOPS: Readonly<Record<Stop, string>> = {
@@ -46,12 +47,12 @@ export function approach({ facts, approach: english }: Status): string {
 
 export function verdict(status: Status): string | null {
   const found = status.verdict === null ? null : verdictOf(status.facts);
-  return found ? sentence(found, status) : status.verdict;
+  return found ? sentence(found, status) : status.verdict && again(status.verdict);
 }
 
 export function unresolved({ facts, words }: Inspection): string | null {
   const found = unresolvedOf(facts);
-  return found ? `${capital(narrow(found))}.` : words;
+  return found ? `${capital(narrow(found))}.` : words && again(words);
 }
 
 function sentence(found: Verdict, { mismatch, cover, measure }: Status): string {

@@ -4,14 +4,9 @@ import { readFileSync } from "node:fs";
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
 import { drop, file } from "./files";
-import { button, drawn, finished, paint, picture, result, surface, value, watch } from "./handles";
+import { button, drawn, finished, ours, paint, picture, result, surface, value, watch } from "./handles";
 
 const SMALL = "./#space=1&finest=4";
-
-/** Without a graphics card Chromium itself warns of how slowly canvases are copied to the screen. */
-function ours(errors: readonly string[]): readonly string[] {
-  return errors.filter((text) => !text.includes("GL Driver Message (OpenGL, Performance"));
-}
 
 /** An octahedron with its triangles cut in four: a closed mesh, as ASCII. */
 function octahedron(): string {

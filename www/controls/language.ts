@@ -9,7 +9,7 @@ export const KEY = "language of thinshell";
 export function readFile(name: string, prose: string): void {
   page(name, {
     root: document.documentElement,
-    document,
+    title: document.querySelector("title"),
     description: document.querySelector("meta[name=description]"),
     change: change(),
     prose: [...document.querySelectorAll(prose)],

@@ -8,6 +8,8 @@ import { download } from "../export/download";
 import { isPaused, isWorking } from "../phase";
 import { parseSetting, type SettingField } from "../settings";
 import { css, type Scale } from "../view/scales";
+import { helps } from "../words/helps";
+import { language } from "../words/language";
 import { space as say } from "../words/space";
 import { START, spoken } from "./camera";
 import { json, ply } from "./export";
@@ -85,7 +87,7 @@ export function Space({ session, ways }: Properties) {
                 scene={scenes[side]}
                 morph={STILL}
                 role="application"
-                label={say.shape(say.sides[side])}
+                label={say.surface[side]}
                 id={`${side}-surface`}
               />
             </div>
@@ -148,7 +150,7 @@ function Source({ session, ways, side }: Properties & { side: Side }) {
   return (
     <div class="source">
       <select
-        aria-label={say.choose(say.sides[side].toLowerCase())}
+        aria-label={say.choose(side)}
         value={solid.id}
         onChange={(event) => {
           const chosen = surface(event.currentTarget.value);
@@ -168,7 +170,7 @@ function Source({ session, ways, side }: Properties & { side: Side }) {
           type="file"
           class="unseen"
           accept={ACCEPTED}
-          aria-label={say.open(say.sides[side].toLowerCase())}
+          aria-label={say.open(side)}
           onChange={(event) => {
             const [file] = event.currentTarget.files ?? [];
             if (file) void ways.take(side, file);
@@ -549,7 +551,7 @@ function Field({ session, field }: { session: SpaceSession; field: SettingField 
         </span>
       )}
       <p id={`${id}-help`} class={problem.value ? "help wrong" : "help"}>
-        {problem.value ?? field.help}
+        {problem.value ?? (field.name === "finest" ? say.finestHelp : helps[field.name])}
       </p>
     </div>
   );
@@ -586,25 +588,26 @@ function useDrops(ways: Ways): void {
 
 /** The page says what it is about; what explains curves goes. */
 function useTitle(): void {
+  const spoken = language.value;
   useEffect(() => {
     const root = document.documentElement;
-    const places = [
-      [document.querySelector("h1"), say.title],
-      [document.querySelector(".promise"), say.promise],
-    ] as const;
-    const before = places.map(([place]) => place?.textContent ?? "");
-    const title = document.title;
-    for (const [place, text] of places) if (place) place.textContent = text;
-    document.title = `thinshell: ${say.title.toLowerCase()}`;
+    const texts = { title: say.document, h1: say.title, ".promise": say.promise };
+    const back = Object.entries(texts).map(([place, text]) => inPlaceOf(document.querySelector(place), text));
     root.toggleAttribute("data-space", true);
     return () => {
-      places.forEach(([place], k) => {
-        if (place) place.textContent = before[k];
-      });
-      document.title = title;
+      for (const bring of back) bring();
       root.toggleAttribute("data-space", false);
     };
-  }, []);
+  }, [spoken]);
+}
+
+/** Another element, for the sentences of the first change with the language. Returns how to bring it back. */
+function inPlaceOf(element: Element | null, text: string): () => void {
+  const other = element?.cloneNode() as Element | undefined;
+  if (!element || !other) return () => {};
+  other.textContent = text;
+  element.replaceWith(other);
+  return () => other.replaceWith(element);
 }
 
 function useDark() {

@@ -1,4 +1,5 @@
 import { isDone, isPaused, isWorking } from "../phase";
+import { en } from "../words/en";
 import { decimals } from "../words/numbers";
 import { verdict } from "../words/said";
 import { space as say } from "../words/space";
@@ -37,7 +38,9 @@ export function Status({ session }: { session: SpaceSession }) {
           )}
         </dl>
       )}
-      {isDone(phase) && !session.stale.value && status?.verdict && status.stop && <p class="stop">{status.stop}</p>}
+      {isDone(phase) && !session.stale.value && status?.verdict && status.stop && (
+        <p class="stop">{en.status.stop(status)}</p>
+      )}
     </div>
   );
 }

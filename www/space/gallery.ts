@@ -1,5 +1,6 @@
 /** Closed surfaces made by formulas, in the box [0,1]³, y up. Meshes of one family have the same numbering. */
 
+import { page } from "../words/language";
 import type { Solid, Vector } from "./solid";
 import { cross, dot } from "./solid";
 
@@ -48,6 +49,9 @@ export const PAIRS: readonly PairOfSurfaces[] = [
   { reference: "bar", template: "bar-twisted", name: "Bar, twisted" },
   { reference: "bar", template: "bar-bent", name: "Bar, bent" },
 ];
+
+page("surfaces", Object.fromEntries(SURFACES.map((entry) => [entry.id, entry])));
+page("pairsOfSurfaces", Object.fromEntries(PAIRS.map((pair) => [`${pair.reference} ${pair.template}`, pair])));
 
 const made = new Map<string, Solid>();
 

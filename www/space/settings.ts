@@ -12,7 +12,18 @@ const OFFERED: ReadonlySet<string> = new Set(["membrane", "bending", "penalty", 
 export const SPACE_FIELDS: readonly SettingField[] = FIELDS.flatMap((field): SettingField[] => {
   if (field.name === "finest") {
     const options = LEVELS.map((value) => ({ value, label: say.grid(value) }));
-    return [{ ...field, kind: "choice", initial: FINEST, options, label: say.finest, help: say.finestHelp }];
+    return [
+      {
+        ...field,
+        kind: "choice",
+        initial: FINEST,
+        options,
+        // Asked for whenever it is shown, for the language may have changed.
+        get label() {
+          return say.finest;
+        },
+      },
+    ];
   }
   return OFFERED.has(field.name) ? [field] : [];
 });

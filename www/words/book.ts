@@ -1,11 +1,12 @@
 /** What a book in another language holds: every page that words/language.ts registers, by its name. */
 
 import type { actions as pinActions, reports as pinReports, told as pinsTold } from "../pins/words";
-import type { Setting } from "../wasm/settings.js";
+import type { SettingField } from "../settings";
 import type { guides, actions as outline, told } from "./drawing";
 import type { en } from "./en";
 import type { experiments } from "./experiments";
 import type { files } from "./files";
+import type { helps } from "./helps";
 import type { imports } from "./imports";
 import type { captions, later } from "./later";
 import type { links } from "./links";
@@ -14,13 +15,14 @@ import type { numbers } from "./numbers";
 import type { offline } from "./offline";
 import type { words as place } from "./place";
 import type { recent } from "./recent";
+import type { space } from "./space";
 import type { strokes } from "./strokes";
 import type { exchange, words as tools } from "./tools";
+import type { way } from "./way";
 
 /** Of a setting that the page offers; the label with its symbol, the options in their order. */
 export type SettingWords = {
   readonly label: string;
-  readonly help: string;
   readonly unit?: string;
   readonly options?: readonly { readonly label: string }[];
 };
@@ -32,7 +34,7 @@ type Held = { readonly innerHTML: string };
 /** Of a file of the page; the prose in its order. */
 export type FileWords = {
   readonly root: { readonly lang: string };
-  readonly document: { readonly title: string };
+  readonly title: { readonly textContent: string };
   readonly description: { readonly content: string };
   readonly change: { readonly textContent: string; readonly lang: string };
   readonly prose: readonly Held[];
@@ -59,7 +61,13 @@ export type Book = {
   readonly pinReports: typeof pinReports;
   readonly files: typeof files;
   readonly imports: typeof imports;
-  readonly settings: Readonly<Partial<Record<Setting["name"], SettingWords>>>;
+  readonly settings: Readonly<Partial<Record<SettingField["name"], SettingWords>>>;
+  readonly helps: typeof helps;
+  readonly way: typeof way;
+  readonly space: typeof space;
+  /** By the surfaces' ids, and by those of both surfaces of a pair. */
+  readonly surfaces: Readonly<Record<string, { readonly name: string }>>;
+  readonly pairsOfSurfaces: Readonly<Record<string, { readonly name: string }>>;
   readonly presets: Readonly<Record<string, { readonly title: string }>>;
   readonly experiments: typeof experiments;
   /** By the experiments' ids. */

@@ -7,7 +7,8 @@ import { files, imports, links } from "./de/files";
 import { captions, later, memory, offline, recent } from "./de/later";
 import { page } from "./de/page";
 import { experimentsFile, indexFile } from "./de/prose";
-import { presets, settings } from "./de/settings";
+import { helps, presets, settings } from "./de/settings";
+import { pairsOfSurfaces, space, surfaces, way } from "./de/space";
 
 export const de: Book = {
   en: page,
@@ -31,7 +32,12 @@ export const de: Book = {
   files,
   imports,
   settings,
+  helps,
   presets,
+  way,
+  space,
+  surfaces,
+  pairsOfSurfaces,
   experiments,
   experimentTexts,
   indexFile,

@@ -69,6 +69,8 @@ export const en = page("en", {
   },
 
   solver: {
+    /** What the solver says in English, above all why it refuses; in other languages it is said again. */
+    words: (english: string) => english,
     refused:
       "The solver could not be started, because the browser refuses the page's worker. Reload the page, and let its security policy allow “worker-src blob:”; a browser extension may forbid workers, too",
     stopped: (why: string) =>

@@ -5,11 +5,13 @@ import "../pins/words";
 import { EXPERIMENTS } from "../experiments";
 import { FIELDS } from "../settings";
 import { PRESETS } from "../shapes/presets";
+import { PAIRS, SURFACES } from "../space/gallery";
 import { de } from "./de";
 import "./drawing";
 import { en } from "./en";
 import { experiments } from "./experiments";
 import "./files";
+import { helps } from "./helps";
 import "./imports";
 import { language, page, pages, preferred, speak } from "./language";
 import { captions } from "./later";
@@ -19,8 +21,10 @@ import { decimals } from "./numbers";
 import "./offline";
 import { place } from "./place";
 import "./recent";
+import "./space";
 import "./strokes";
 import "./tools";
+import "./way";
 
 type Leaf = readonly [path: string, value: unknown];
 
@@ -50,10 +54,22 @@ const SAME = [
   "/experiments/doing",
   "/outline/roundness",
   "/told/rim",
+  // Of what they are given.
+  "/en/solver/words",
+  "/imports/words",
+  "/space/percent",
+  "/space/grid",
+  "/space/numbers/iteration",
+  "/surfaces/ellipsoid/name",
+  "/surfaces/unduloid/name",
+  "/surfaces/torus/name",
 ];
 
 /** Those of the page's files are elements, and those of settings, examples and experiments stand elsewhere. */
-const ELSEWHERE = ["indexFile", "experimentsFile", "settings", "presets", "experimentTexts"];
+const ELSEWHERE = [
+  ...["indexFile", "experimentsFile", "settings", "presets", "experimentTexts"],
+  ...["surfaces", "pairsOfSurfaces"],
+];
 
 afterEach(() => speak("en"));
 
@@ -66,18 +82,22 @@ test("a page that one language has, the other has, sentence for sentence", () =>
   expect(shape(german)).toEqual(shape(english));
 });
 
-test("every setting, example and experiment has its words", () => {
+test("every setting, example, surface and experiment has its words", () => {
   for (const field of FIELDS) {
     const words = de.settings[field.name];
     expect(words?.label, field.name).toBeTruthy();
-    expect(words?.help, field.name).toMatch(/^[A-ZÄÖÜ].*\.$/);
+    expect(de.helps[field.name], field.name).toMatch(/^[A-ZÄÖÜ].*\.$/);
     if (field.kind === "number") expect(Boolean(words?.unit), field.name).toBe(field.unit !== "");
     else if (field.name !== "finest") expect(words?.options?.length, field.name).toBe(field.options.length);
     // The same symbol, in the label where it has no index.
     if (!field.symbol.includes("_")) expect(words?.label.endsWith(field.symbol), field.name).toBe(true);
   }
   expect(Object.keys(de.settings).sort()).toEqual(FIELDS.map(({ name }) => name).sort());
+  expect(Object.keys(de.helps).sort()).toEqual(Object.keys(helps).sort());
   expect(Object.keys(de.presets).sort()).toEqual(PRESETS.map(({ id }) => id).sort());
+  expect(Object.keys(de.surfaces).sort()).toEqual(SURFACES.map(({ id }) => id).sort());
+  const pairs = PAIRS.map(({ reference, template }) => `${reference} ${template}`);
+  expect(Object.keys(de.pairsOfSurfaces).sort()).toEqual(pairs.sort());
   expect(Object.keys(de.experimentTexts).sort()).toEqual(EXPERIMENTS.map(({ id }) => id).sort());
 });
 

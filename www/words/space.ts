@@ -1,16 +1,22 @@
 /** Everything that the page says of surfaces, in English. */
 
-export const space = {
+import { page } from "./language";
+import { written } from "./numbers";
+
+type Side = "reference" | "template";
+
+export const space = page("space", {
   leave: "Back to curves",
   title: "Elastic matching of two surfaces",
+  document: "thinshell: elastic matching of two surfaces",
   promise:
     "Choose two closed surfaces: space, with a thin shell along the first, is deformed until it lies on the second.",
   examples: "Or start from an example",
 
   sides: { reference: "Reference", template: "Template" },
-  shape: (side: string) => `${side} shape`,
-  choose: (side: string) => `Surface of the ${side}`,
-  open: (side: string) => `Open a file as ${side}`,
+  surface: { reference: "Reference shape", template: "Template shape" },
+  choose: (side: Side) => `Surface of the ${side}`,
+  open: (side: Side) => `Open a file as ${side}`,
   file: "File",
   actions: {
     match: "Match",
@@ -61,7 +67,7 @@ export const space = {
     const side = across === 0 ? "" : `, ${Math.abs(across)}° from the ${across > 0 ? "right" : "left"}`;
     const height = above === 0 ? "" : `, ${Math.abs(above)}° from ${above > 0 ? "above" : "below"}`;
     const from = side || height ? `Seen${side}${height}`.replace(/^Seen,/, "Seen") : "Seen from the front";
-    return `${from}, zoom ${zoom.toFixed(1)}${moved ? ", moved" : ""}`;
+    return `${from}, zoom ${written(zoom.toFixed(1))}${moved ? ", moved" : ""}`;
   },
 
   /** Begins as the plane's does, for whoever looks for it by name. */
@@ -135,10 +141,8 @@ export const space = {
     notRead: (why: string) => `The link could not be read: ${why}.`,
     number: (text: string) => `“${text.slice(0, 60)}” is not what it should be`,
     unknown: (id: string) => `there is no surface “${id}” in the gallery`,
-    elsewhere: (side: string) => `the ${side} is a file that is kept in another browser only, or no more`,
+    elsewhere: (side: Side) => `the ${side} is a file that is kept in another browser only, or no more`,
     notWhole: "The link holds settings, view and camera, but not the file's mesh: that is kept in this browser only.",
     notKept: "This browser keeps no files: after a reload the dropped mesh has to be opened again.",
   },
-};
-
-export type SpaceWords = typeof space;
+});

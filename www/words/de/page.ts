@@ -1,6 +1,7 @@
 /** Was die Seite von Anfang an sagt. */
 
 import type { Book } from "../book";
+import { again } from "./again";
 import { capital, DER } from "./sides";
 import { approach, stop, unresolved, verdict } from "./solver";
 
@@ -63,6 +64,7 @@ export const page: Book["en"] = {
   },
 
   solver: {
+    words: again,
     refused:
       "Der Löser ließ sich nicht starten, weil der Browser den Worker der Seite ablehnt. Laden Sie die Seite neu; ihre Sicherheitsregeln müssen „worker-src blob:“ erlauben. Auch eine Browsererweiterung kann Worker verbieten",
     stopped: (why) =>

@@ -16,7 +16,7 @@ const paper =
 export const indexFile: FileWords = {
   root,
   change,
-  document: { title: "thinshell: elastischer Abgleich zweier Kurven" },
+  title: { textContent: "thinshell: elastischer Abgleich zweier Kurven" },
   description: {
     content:
       "Zeichnen Sie zwei geschlossene Kurven und sehen Sie zu, wie die erste in die zweite verformt wird: elastische Registrierung mit Energien dünner Schalen, berechnet in Ihrem Browser.",
@@ -72,7 +72,7 @@ export const indexFile: FileWords = {
 export const experimentsFile: FileWords = {
   root,
   change,
-  document: { title: "thinshell: die Experimente des Artikels" },
+  title: { textContent: "thinshell: die Experimente des Artikels" },
   description: {
     content:
       "Die Experimente von „A Thin Shell Approach to the Registration of Implicit Surfaces“, auf Kurven übertragen und in Ihrem Browser berechnet.",

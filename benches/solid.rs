@@ -86,7 +86,7 @@ type Kernels<'a> = Vec<(&'static str, Box<dyn FnMut() + 'a>)>;
 
 fn kernels(level: u32, shapes: &[SignedDistance<3>; 2]) -> Kernels<'_> {
     let grid = Grid::<3>::of_level(level);
-    let functional = Settings::default().functional(level);
+    let functional = Settings::default().thrifty_functional::<3>(level);
     let assembler = move || -> CpuAssembler<3> { CpuAssembler::new(&functional, &shapes[0], &shapes[1]) };
     let u = displacement(grid);
     let mut kernels: Kernels = Vec::new();

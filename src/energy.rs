@@ -271,6 +271,8 @@ pub struct Functional {
     pub fit_radius: f64,
     /// θ, the share of the volume energy integrated at the corners of the cells.
     pub vertex_share: f64,
+    /// Gauss points an axis of a cell, 2 or 3; in the plane 3.
+    pub gauss_points: usize,
 }
 
 /// Energies, each with its weight; the mismatch with its H¹ part.

@@ -21,6 +21,8 @@ use crate::words::number;
 const LEAST_BAND: f64 = 0.5;
 /// The same on levels before the finest, where the band is widened to it.
 const LEAST_COARSE_BAND: f64 = 0.35;
+/// Half width of the band in cells from which 2³ Gauss points find what 3³ do. Below, they mislead the search.
+const WIDE_BAND: f64 = 1.5;
 /// Half width of the band where none is chosen: in domain units, and in cells of the finest level.
 const USUAL_BAND: (f64, f64) = (0.05, 1.5);
 /// The finest level for surfaces.
@@ -101,7 +103,15 @@ impl Settings {
             cutoff: self.cutoff,
             fit_radius: self.fit_radius,
             vertex_share: self.vertex_share,
+            gauss_points: 3,
         }
+    }
+
+    /// The same with the points that suffice in D dimensions: in space two an axis where the band spans some cells.
+    pub fn thrifty_functional<const D: usize>(&self, level: u32) -> Functional {
+        let functional = self.functional(level);
+        let is_wide = functional.bandwidth * f64::from(1_u32 << level) >= WIDE_BAND;
+        Functional { gauss_points: if D == 3 && is_wide { 2 } else { 3 }, ..functional }
     }
 
     fn bandwidth_on(&self, level: u32) -> f64 {

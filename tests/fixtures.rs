@@ -84,6 +84,7 @@ fn functional(params: &Params) -> Functional {
         cutoff: [Cutoff::Quartic, Cutoff::Cosine, Cutoff::Bump][params.eta as usize],
         fit_radius: params.fit_r,
         vertex_share: params.theta,
+        gauss_points: 3,
     }
 }
 

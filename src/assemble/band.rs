@@ -26,11 +26,11 @@ pub(super) struct ReferenceSample<S, const D: usize> {
 }
 
 impl<S: Scalar, const D: usize> Band<S, D> {
-    const POINTS: usize = 3_usize.pow(D as u32);
     /// weight, distance, off-tangential, trace, steepness; D−1 tangents; the upper triangle of the curvature.
     const STRIDE: usize = 5 + (D - 1) * D + (D - 1) * D / 2;
 
-    pub fn new(functional: &Functional, reference: &SignedDistance<D>, rule: &Rule<D, 3>) -> Self {
+    pub fn new<const M: usize>(functional: &Functional, reference: &SignedDistance<D>, rule: &Rule<D, M>) -> Self {
+        let points = Rule::<D, M>::POINTS;
         let grid = reference.grid();
         let jets = quadratic_fit(grid, reference.values(), functional.fit_radius);
         let offsets = grid.corner_offsets();
@@ -38,7 +38,7 @@ impl<S: Scalar, const D: usize> Band<S, D> {
 
         let mut cells = Vec::new();
         let mut rows: Vec<f64> = Vec::new();
-        let mut cell_rows = Vec::with_capacity(Self::POINTS * Self::STRIDE);
+        let mut cell_rows = Vec::with_capacity(points * Self::STRIDE);
         for cell in 0..grid.cell_count() {
             let base = grid.lowest_node(cell);
             let values = || (0..Grid::<D>::CORNERS).map(|corner| jets[base + offsets[corner]].value);
@@ -49,7 +49,7 @@ impl<S: Scalar, const D: usize> Band<S, D> {
             }
             cell_rows.clear();
             let mut touched = false;
-            for point in 0..Self::POINTS {
+            for point in 0..points {
                 let mut value = 0.0;
                 let mut gradient = [0.0; D];
                 let mut curvature = [[0.0; D]; D];
@@ -73,7 +73,7 @@ impl<S: Scalar, const D: usize> Band<S, D> {
             }
         }
 
-        let per_cell = Self::POINTS * Self::STRIDE;
+        let per_cell = points * Self::STRIDE;
         let pack_count = cells.len().div_ceil(S::LANES);
         let mut samples = Vec::with_capacity(pack_count * per_cell);
         let mut packs = Vec::with_capacity(pack_count);
@@ -91,9 +91,11 @@ impl<S: Scalar, const D: usize> Band<S, D> {
         Self { packs, samples }
     }
 
+    /// With M points an axis, as it was made.
     #[inline(always)]
-    pub fn pack_samples(&self, pack: usize) -> &[S] {
-        &self.samples[pack * Self::POINTS * Self::STRIDE..][..Self::POINTS * Self::STRIDE]
+    pub fn pack_samples<const M: usize>(&self, pack: usize) -> &[S] {
+        let count = Rule::<D, M>::POINTS * Self::STRIDE;
+        &self.samples[pack * count..][..count]
     }
 }
 

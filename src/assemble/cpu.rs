@@ -62,7 +62,11 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         Self {
             functional: *functional,
             grid,
-            band: Band::new(functional, reference, &gauss3),
+            band: match functional.gauss_points {
+                2 => Band::new(functional, reference, &gauss2),
+                3 => Band::new(functional, reference, &gauss3),
+                _ => unreachable!("2 or 3 points an axis"),
+            },
             template: TemplateField::new(template, functional.fit_radius),
             gauss3,
             integrals: spatial::CellIntegrals::new(&gauss2),
@@ -109,13 +113,20 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             operator.clear();
         }
         let mut energies = Energies::default();
+        let few = self.functional.gauss_points == 2;
         let least_determinant = if D == 2 {
             self.planar_volume_pass::<ORDER>(displacement, gradient, &mut energies)
+        } else if few {
+            self.volume_pass::<ORDER, 2>(&self.gauss2, displacement, gradient, &mut energies)
         } else {
-            self.volume_pass::<ORDER>(displacement, gradient, &mut energies)
+            self.volume_pass::<ORDER, 3>(&self.gauss3, displacement, gradient, &mut energies)
         };
         if least_determinant > 0.0 {
-            self.shell_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
+            if few {
+                self.shell_pass::<ORDER, C, 2>(&self.gauss2, displacement, gradient, operator, &mut energies);
+            } else {
+                self.shell_pass::<ORDER, C, 3>(&self.gauss3, displacement, gradient, operator, &mut energies);
+            }
             self.pins_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
             if let Some(operator) = operator {
                 // The operator is f32, and so may be what goes into it: four cells at a time instead of two.

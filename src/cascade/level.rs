@@ -33,7 +33,7 @@ impl<const D: usize> Level<D> {
         displacement: Option<Vec<f64>>,
     ) -> Self {
         let shapes = [0, 1].map(|k| shapes[k].to_cells(1 << number));
-        let mut assembler = CpuAssembler::new(&settings.functional(number), &shapes[0], &shapes[1]);
+        let mut assembler = CpuAssembler::new(&settings.thrifty_functional::<D>(number), &shapes[0], &shapes[1]);
         assembler.tie(&ties.pins, settings.pin_weight);
         if number < settings.finest {
             assembler.tie(&ties.guide, GUIDE_WEIGHT);

@@ -13,28 +13,28 @@ use crate::stencil::StencilOperator;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     /// Membrane, bending and mismatch over the band's cells.
-    pub(super) fn shell_pass<const ORDER: u8, const C: usize>(
+    pub(super) fn shell_pass<const ORDER: u8, const C: usize, const M: usize>(
         &self,
+        rule: &Rule<D, M>,
         displacement: &[f64],
         gradient: &mut [f64],
         operator: &mut Option<&mut StencilOperator<D>>,
         energies: &mut Energies,
     ) {
-        let rule = &self.gauss3;
         let (spacing, inverse) = (S::splat(self.grid.spacing()), S::splat(self.grid.cells() as f64));
         let mut sums = [S::zero(); 3];
         for (pack, &nodes) in self.band.packs.iter().enumerate() {
             let corners = self.gather(displacement, nodes);
             let edges = edge_differences(&corners, inverse);
             let columns = columns_of(rule, &edges);
-            let samples = self.band.pack_samples(pack);
+            let samples = self.band.pack_samples::<M>(pack);
             let indices = nodes.map(|node| self.grid.node_index(node));
             let origin: Vector<S, D> = std::array::from_fn(|k| S::gather(|lane| indices[lane][k] as f64) * spacing);
 
             let mut stress = [[[S::zero(); D]; MAX_COLUMNS]; D];
             let mut corner_forces = [[S::zero(); D]; MAX_CORNERS];
             let mut pairs = [[[[S::zero(); D]; D]; C]; C];
-            for point in 0..Rule::<D, 3>::POINTS {
+            for point in 0..Rule::<D, M>::POINTS {
                 let sample = ReferenceSample::<S, D>::read(samples, point);
                 let derivative = slots_at(rule, &columns, point);
                 let mut moved = origin;
@@ -76,7 +76,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                     }
                 }
                 if ORDER >= HESSIAN {
-                    self.add_shell_pairs(&mut pairs, point, &sample.frame, &response, inverse);
+                    self.add_shell_pairs(rule, &mut pairs, point, &sample.frame, &response, inverse);
                 }
             }
             if ORDER >= GRADIENT {
@@ -98,22 +98,22 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
 
     /// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i, s_an = ∇N_a·n and s_ay = N_a.
     #[inline(always)]
-    fn add_shell_pairs<const C: usize>(
+    fn add_shell_pairs<const C: usize, const M: usize>(
         &self,
+        rule: &Rule<D, M>,
         pairs: &mut Pairs<S, D, C>,
         point: usize,
         frame: &[Vector<S, D>; D],
         response: &Response<S, D>,
         inverse: S,
     ) {
-        let rule = &self.gauss3;
         let normal = normal_slot::<D>();
         // No term couples the tangents with the normal, and without H¹ residual none sees the normal.
         let coupled = |p: usize, q: usize| (p == normal) == (q == normal) || p > normal || q > normal;
         let seen = |p: usize| p != normal || self.functional.tangency > 0.0;
         let mut values = [[S::zero(); MAX_SLOTS]; C];
         for axis in 0..D {
-            for edge in 0..Rule::<D, 3>::EDGES {
+            for edge in 0..Rule::<D, M>::EDGES {
                 let slope = inverse * S::splat(rule.edge[rule.column[point][axis]][edge]);
                 let (low, high) = edge_ends(axis, edge);
                 for i in 0..D {

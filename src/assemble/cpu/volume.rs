@@ -22,8 +22,9 @@ use std::cmp::Ordering;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     /// Volume energy over all cells; returns the least determinant, and early once it is not positive.
-    pub(super) fn volume_pass<const ORDER: u8>(
+    pub(super) fn volume_pass<const ORDER: u8, const M: usize>(
         &self,
+        rule: &Rule<D, M>,
         displacement: &[f64],
         gradient: &mut [f64],
         energies: &mut Energies,
@@ -58,8 +59,8 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             if self.functional.vertex_share > 0.0 {
                 energy += self.volume_rule::<2, ORDER>(&self.vertices, &volume, weight * share, &columns, &mut forces);
             }
-            let columns = columns_of(&self.gauss3, &edges);
-            energy += self.volume_rule::<3, ORDER>(&self.gauss3, &volume, weight * rest, &columns, &mut forces);
+            let columns = columns_of(rule, &edges);
+            energy += self.volume_rule::<M, ORDER>(rule, &volume, weight * rest, &columns, &mut forces);
 
             if ORDER >= GRADIENT {
                 let mut corner_forces = [[S::zero(); D]; MAX_CORNERS];

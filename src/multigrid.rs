@@ -9,10 +9,10 @@ mod padded;
 mod sweep;
 
 use crate::grid::Grid;
-use crate::stencil::StencilOperator;
+use crate::stencil::{LANES, StencilOperator};
 use galerkin::Galerkin;
 use padded::{Layout, Nodes};
-use sweep::DAMPING;
+use sweep::{DAMPING, Scratch};
 
 /// Cells a side of the grid that is solved directly.
 const COARSEST_CELLS: usize = 2;
@@ -22,8 +22,8 @@ pub struct Multigrid<const D: usize> {
     /// Finest first.
     levels: Vec<Level<D>>,
     direct: Cholesky,
-    search: Vec<[f32; D]>,
-    solution: Vec<[f32; D]>,
+    search: Vec<f32>,
+    solution: Vec<f32>,
 }
 
 struct Level<const D: usize> {
@@ -31,11 +31,12 @@ struct Level<const D: usize> {
     /// To the next level.
     galerkin: Galerkin<D>,
     layout: Layout<D>,
-    /// Inverse diagonal blocks by nodes, times the damping.
-    inverse: Vec<[[f32; D]; D]>,
-    right: Vec<[f32; D]>,
-    solution: Vec<[f32; D]>,
-    residual: Vec<[f32; D]>,
+    /// Inverse diagonal blocks, times the damping, laid out as in the operator.
+    inverse: Vec<[f32; LANES]>,
+    right: Vec<f32>,
+    solution: Vec<f32>,
+    residual: Vec<f32>,
+    scratch: Scratch<D>,
 }
 
 /// How a solve went.
@@ -59,7 +60,7 @@ impl<const D: usize> Multigrid<D> {
         }
         let count = levels[0].layout.len();
         let unknowns = Grid::<D>::new(COARSEST_CELLS).node_count() * D;
-        Self { levels, direct: Cholesky::new(unknowns), search: vec![[0.0; D]; count], solution: vec![[0.0; D]; count] }
+        Self { levels, direct: Cholesky::new(unknowns), search: vec![0.0; count], solution: vec![0.0; count] }
     }
 
     /// The finest operator, to be filled before [`prepare`](Self::prepare).
@@ -92,7 +93,7 @@ impl<const D: usize> Multigrid<D> {
         // A cycle leaves the right side alone: there the residual stays. Between cycles their scratch holds A·search.
         let layout = self.levels[0].layout;
         layout.store(b, 1.0 / scale, &mut self.levels[0].right);
-        self.solution.fill([0.0; D]);
+        self.solution.fill(0.0);
         self.cycle();
         self.search.copy_from_slice(&self.levels[0].solution);
         let mut square = dot(&self.levels[0].right, &self.search);
@@ -100,8 +101,8 @@ impl<const D: usize> Multigrid<D> {
         let mut rest = first;
         let mut iterations = 0;
         while iterations < max_iterations {
-            let Level { operator, right: residual, residual: image, .. } = &mut self.levels[0];
-            layout.apply(operator, &self.search, image);
+            let Level { operator, right: residual, residual: image, scratch, .. } = &mut self.levels[0];
+            layout.apply(operator, &self.search, image, scratch);
             let curvature = dot(&self.search, image);
             // No curvature left along the search direction: f32 is at its end, or the operator is singular there.
             if !(curvature > 0.0 && square.is_finite()) {
@@ -119,7 +120,7 @@ impl<const D: usize> Multigrid<D> {
             let Level { right: residual, solution, .. } = &self.levels[0];
             let next = dot(residual, solution);
             let gamma = (next / square) as f32;
-            for (s, z) in self.search.as_flattened_mut().iter_mut().zip(solution.as_flattened()) {
+            for (s, z) in self.search.iter_mut().zip(solution) {
                 *s = z + gamma * *s;
             }
             square = next;
@@ -148,16 +149,23 @@ impl<const D: usize> Multigrid<D> {
                 &level.right,
                 &mut level.solution,
                 &mut level.residual,
+                &mut level.scratch,
             );
-            level.layout.restrict(&level.residual, &coarse.layout, &mut coarse.right);
+            level.layout.restrict(&level.residual, &coarse.layout, &mut coarse.right, &mut level.scratch.line);
         }
         let coarsest = &mut self.levels[last];
         self.direct.solve(coarsest.layout, &coarsest.right, &mut coarsest.solution);
         for fine in (0..last).rev() {
             let (finer, coarser) = self.levels.split_at_mut(fine + 1);
             let (level, coarse) = (&mut finer[fine], &coarser[0]);
-            level.layout.prolongate_add(&coarse.solution, &coarse.layout, &mut level.solution);
-            level.layout.sweep_backward(&level.operator, &level.inverse, &level.right, &mut level.solution);
+            level.layout.prolongate_add(&coarse.solution, &coarse.layout, &mut level.solution, &mut level.scratch.line);
+            level.layout.sweep_backward(
+                &level.operator,
+                &level.inverse,
+                &level.right,
+                &mut level.solution,
+                &mut level.scratch,
+            );
         }
     }
 }
@@ -169,40 +177,51 @@ impl<const D: usize> Level<D> {
         Self {
             operator: StencilOperator::zero(grid),
             galerkin: Galerkin::new(grid),
+            inverse: vec![[0.0; LANES]; layout.rows() * layout.groups() * StencilOperator::<D>::BLOCK],
+            right: vec![0.0; count],
+            solution: vec![0.0; count],
+            residual: vec![0.0; count],
+            scratch: Scratch::new(&layout),
             layout,
-            inverse: vec![[[0.0; D]; D]; grid.node_count()],
-            right: vec![[0.0; D]; count],
-            solution: vec![[0.0; D]; count],
-            residual: vec![[0.0; D]; count],
         }
     }
 
     fn invert_diagonal(&mut self) {
-        let blocks = self.operator.blocks().chunks_exact(StencilOperator::<D>::ROW);
-        for (row, inverse) in blocks.zip(&mut self.inverse) {
-            let centre = &row[..D * D];
-            let mut block = [[0.0; D]; D];
-            let trace: f64 = (0..D).map(|k| f64::from(centre[k * D + k])).sum();
-            for i in 0..D {
-                for j in 0..D {
-                    block[i][j] = f64::from(centre[i * D + j]);
+        match D {
+            2 => self.invert_blocks::<4, 5>(),
+            3 => self.invert_blocks::<9, 14>(),
+            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
+        }
+    }
+
+    fn invert_blocks<const B: usize, const H: usize>(&mut self) {
+        let (side, groups) = (self.layout.side(), self.layout.groups());
+        let own = &self.operator.padded::<B, H>()[self.layout.margin() * groups..];
+        for (number, inverse) in self.inverse.as_chunks_mut::<B>().0.iter_mut().enumerate() {
+            let centre = &own[number][0];
+            for lane in 0..LANES.min(side - number % groups * LANES) {
+                let mut block = [[0.0; D]; D];
+                let trace: f64 = (0..D).map(|k| f64::from(centre[k * D + k][lane])).sum();
+                for i in 0..D {
+                    for j in 0..D {
+                        block[i][j] = f64::from(centre[i * D + j][lane]);
+                    }
+                    // Keeps the inverse of a block bounded that the clipping of negative curvature left singular.
+                    block[i][i] += 1e-6 * trace + f64::MIN_POSITIVE;
                 }
-                // Keeps the inverse of a block bounded that the clipping of negative curvature left singular.
-                block[i][i] += 1e-6 * trace + f64::MIN_POSITIVE;
-            }
-            let cof = crate::small::cofactor(&block);
-            let inverse_det = f64::from(DAMPING) / crate::small::dot(&block[0], &cof[0]);
-            for i in 0..D {
-                for j in 0..D {
-                    inverse[i][j] = (cof[j][i] * inverse_det) as f32;
+                let cof = crate::small::cofactor(&block);
+                let inverse_det = f64::from(DAMPING) / crate::small::dot(&block[0], &cof[0]);
+                for i in 0..D {
+                    for j in 0..D {
+                        inverse[i * D + j][lane] = (cof[j][i] * inverse_det) as f32;
+                    }
                 }
             }
         }
     }
 }
 
-fn dot<const D: usize>(a: &Nodes<D>, b: &Nodes<D>) -> f64 {
-    let (a, b) = (a.as_flattened(), b.as_flattened());
+fn dot(a: &Nodes, b: &Nodes) -> f64 {
     // Short runs in f32 lanes, their sums in f64: as fast as f64, as exact as needed.
     let mut total = 0.0;
     for (x, y) in a.chunks(256).zip(b.chunks(256)) {
@@ -219,8 +238,8 @@ fn dot<const D: usize>(a: &Nodes<D>, b: &Nodes<D>) -> f64 {
     total
 }
 
-fn add_scaled<const D: usize>(a: &mut Nodes<D>, s: f32, b: &Nodes<D>) {
-    for (x, y) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
+fn add_scaled(a: &mut Nodes, s: f32, b: &Nodes) {
+    for (x, y) in a.iter_mut().zip(b) {
         *x += s * y;
     }
 }
@@ -266,7 +285,7 @@ impl Cholesky {
         }
     }
 
-    fn solve<const D: usize>(&mut self, layout: Layout<D>, right: &Nodes<D>, solution: &mut Nodes<D>) {
+    fn solve<const D: usize>(&mut self, layout: Layout<D>, right: &Nodes, solution: &mut Nodes) {
         let n = self.unknowns;
         layout.load(right, 1.0, &mut self.vector);
         for row in 0..n {

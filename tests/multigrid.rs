@@ -32,10 +32,10 @@ fn fill_sobolev<const D: usize>(operator: &mut StencilOperator<D>, beta: f64) {
                         (0..D).map(|k| weights.derivative[a][k] * weights.derivative[b][k] / (h * h)).sum();
                     entry += rule.weight[point] * (weights.value[a] * weights.value[b] + 0.5 * beta * beta * slopes);
                 }
-                let block = operator.block_mut(base + offsets[a], neighbours[a][b]);
-                for k in 0..D {
-                    block[k * D + k] += (entry * h.powi(D as i32)) as f32;
-                }
+                let node = base + offsets[a];
+                let diagonal = (entry * h.powi(D as i32)) as f32;
+                let block = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal } else { 0.0 }));
+                operator.add([node / grid.side(), node % grid.side()], neighbours[a][b], &block);
             }
         }
     }

@@ -129,9 +129,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             }
             self.pins_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
             if let Some(operator) = operator {
-                // The operator is f32, and so may be what goes into it: four cells at a time instead of two.
+                // The operator is f32, and so is what goes into it here: four cells at a time instead of two.
                 if D == 2 {
-                    self.planar_hessian_pass::<F32x4, C>(displacement, operator);
+                    self.planar_hessian_pass::<C>(displacement, operator);
                 } else {
                     self.spatial_hessian_pass::<C>(displacement, operator);
                 }

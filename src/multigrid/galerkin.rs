@@ -1,24 +1,24 @@
 //! The coarse operator Pᵀ A P of multilinear prolongation P, one axis after the other: P is a product of prolongations
-//! along the axes, and the operators between are coarse along some of them only.
+//! along the axes, and the operators between are coarse along some of them only. Of these no more is kept than the next
+//! axis needs at a time: a plane, then a row.
 
 use crate::grid::Grid;
-use crate::stencil::StencilOperator;
+use crate::stencil::{Group, LANES, StencilOperator};
+use wide::f32x4;
 
 /// How one operator is made from the next finer one, and the memory for what lies between.
 pub(super) struct Galerkin<const D: usize> {
-    passes: Vec<Pass<D>>,
-    /// What all passes but the last write.
-    between: Vec<Vec<f32>>,
+    fine: Grid<D>,
+    /// By axis.
+    passes: [Pass; D],
+    /// Rows of nodes that are coarse along z, of one plane; and one that is coarse along y and z. With a group of zeros
+    /// first and last.
+    plane: Vec<f32>,
+    row: Vec<f32>,
 }
 
-/// Coarsening along one axis. Operators are stored as in [`StencilOperator`], margins included.
-struct Pass<const D: usize> {
-    axis: usize,
-    fine: Extent<D>,
-    coarse: Extent<D>,
-    /// By slot, for the first coarse node along the axis, those between, and the last.
-    recipes: [Vec<Recipe>; 3],
-}
+/// Coarsening along one axis: by slot, for the first coarse node along the axis, those between, and the last.
+struct Pass([Vec<Recipe>; 3]);
 
 /// The fine blocks whose weighted sum is a coarse block.
 #[derive(Default)]
@@ -29,115 +29,153 @@ struct Recipe {
 }
 
 struct Route {
-    /// In blocks, from the first one of the fine node under the coarse node.
-    place: isize,
+    /// From the row and the column of the fine node under the coarse node.
+    rows: isize,
+    columns: isize,
+    slot: usize,
     share: f32,
-}
-
-/// Nodes a side by axis.
-#[derive(Clone, Copy)]
-struct Extent<const D: usize>([usize; D]);
-
-impl<const D: usize> Extent<D> {
-    fn stride(&self, axis: usize) -> usize {
-        self.0[..axis].iter().product()
-    }
-
-    fn nodes(&self) -> usize {
-        self.0.iter().product()
-    }
-
-    /// Nodes of zeros at either end.
-    fn margin(&self) -> usize {
-        (0..D).map(|axis| self.stride(axis)).sum()
-    }
 }
 
 impl<const D: usize> Galerkin<D> {
     /// From an operator on `fine` to one on the grid of twice the spacing.
     pub fn new(fine: Grid<D>) -> Self {
-        let mut extent = Extent([fine.side(); D]);
-        let passes: Vec<Pass<D>> = (0..D)
-            .map(|axis| {
-                let mut coarse = extent;
-                coarse.0[axis] = fine.cells() / 2 + 1;
-                let pass = Pass::new(axis, extent, coarse);
-                extent = coarse;
-                pass
-            })
-            .collect();
-        let size = |extent: &Extent<D>| (extent.nodes() + 2 * extent.margin()) * StencilOperator::<D>::ROW;
-        let between = passes[..D - 1].iter().map(|pass| vec![0.0; size(&pass.coarse)]).collect();
-        Self { passes, between }
+        let groups = fine.side() / LANES + 1;
+        let memory = |groups: usize| vec![0.0; (groups + 2) * StencilOperator::<D>::ROW * LANES];
+        Self {
+            fine,
+            passes: std::array::from_fn(|axis| Pass::new(axis, fine)),
+            plane: memory(if D == 3 { fine.side() * groups } else { 0 }),
+            row: memory(groups),
+        }
     }
 
     /// Overwrites `coarse` with Pᵀ · `fine` · P.
     pub fn coarsen(&mut self, fine: &StencilOperator<D>, coarse: &mut StencilOperator<D>) {
-        for (axis, pass) in self.passes.iter().enumerate() {
-            let (done, ahead) = self.between.split_at_mut(axis);
-            let source = done.last().map_or(fine.padded_blocks(), Vec::as_slice);
-            let target = ahead.first_mut().map_or_else(|| coarse.padded_blocks_mut(), Vec::as_mut_slice);
-            match D {
-                2 => pass.run::<4>(source, target),
-                3 => pass.run::<9>(source, target),
-                _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
-            }
+        match D {
+            2 => self.coarsen_blocks::<4, 5>(fine, coarse),
+            3 => self.coarsen_blocks::<9, 14>(fine, coarse),
+            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
         }
     }
-}
 
-impl<const D: usize> Pass<D> {
-    fn new(axis: usize, fine: Extent<D>, coarse: Extent<D>) -> Self {
-        let slots = || 0..StencilOperator::<D>::HALF;
-        let recipes = [[true, false], [true, true], [false, true]]
-            .map(|[above, below]| slots().map(|slot| Recipe::new(axis, slot, &fine, below, above)).collect());
-        Self { axis, fine, coarse, recipes }
-    }
-
-    /// With B = D² numbers a block, so that one is summed in registers.
-    fn run<const B: usize>(&self, source: &[f32], target: &mut [f32]) {
-        let half = StencilOperator::<D>::HALF;
-        let (source, _) = source.as_chunks::<B>();
-        let (target, _) = target.as_chunks_mut::<B>();
-        let target = &mut target[self.coarse.margin() * half..][..self.coarse.nodes() * half];
-        let width = self.coarse.0[0];
-        for (row, target) in target.chunks_exact_mut(width * half).enumerate() {
-            let mut under = self.fine.margin();
-            let (mut rest, mut recipes) = (row, &self.recipes[1]);
-            for k in 1..D {
-                let (i, side) = (rest % self.coarse.0[k], self.coarse.0[k]);
-                rest /= side;
-                under += self.fine.stride(k) * if k == self.axis { 2 * i } else { i };
-                if k == self.axis {
-                    recipes = self.recipes_at(i);
+    fn coarsen_blocks<const B: usize, const H: usize>(
+        &mut self,
+        fine: &StencilOperator<D>,
+        coarse: &mut StencilOperator<D>,
+    ) {
+        let (side, coarse_side) = (self.fine.side(), coarse.grid().side());
+        let (groups, coarse_groups) = (fine.groups(), coarse.groups());
+        let (margin, coarse_margin) = (fine.margin(), coarse.margin());
+        let source = fine.padded::<B, H>();
+        let target = coarse.padded_mut::<B, H>();
+        let plane = groups_of::<B, H>(&mut self.plane);
+        let row = groups_of::<B, H>(&mut self.row);
+        let planes = if D == 3 { coarse_side } else { 1 };
+        for k in 0..planes {
+            if D == 3 {
+                let recipes = self.passes[D - 1].at(k, coarse_side);
+                for j in 0..side {
+                    let under = (margin + 2 * k * side + j) * groups;
+                    combine::<D, B, H>(recipes, source, under, groups, side, &mut plane[1 + j * groups..][..groups]);
                 }
             }
-            let step = if self.axis == 0 { 2 } else { 1 };
-            for (column, sums) in target.chunks_exact_mut(half).enumerate() {
-                let recipes = if self.axis == 0 { self.recipes_at(column) } else { recipes };
-                let under = ((under + step * column) * half) as isize;
-                for (sum, recipe) in sums.iter_mut().zip(recipes) {
-                    *sum = Recipe::sum_of(&recipe.as_stored, source, under);
-                    let turned = Recipe::sum_of(&recipe.transposed, source, under);
-                    for i in 0..D {
-                        for j in 0..D {
-                            sum[i * D + j] += turned[j * D + i];
+            for j in 0..coarse_side {
+                let recipes = self.passes[1].at(j, coarse_side);
+                let (source, under) =
+                    if D == 3 { (&*plane, 1 + 2 * j * groups) } else { (source, (margin + 2 * j) * groups) };
+                combine::<D, B, H>(recipes, source, under, groups, side, &mut row[1..][..groups]);
+                let target = &mut target[(coarse_margin + k * coarse_side + j) * coarse_groups..][..coarse_groups];
+                for i in 0..coarse_side {
+                    let group = &mut target[i / LANES];
+                    for (sum, recipe) in group.iter_mut().zip(self.passes[0].at(i, coarse_side)) {
+                        let block = recipe.sum_at::<D, B, H>(row, LANES + 2 * i);
+                        for (sum, entry) in sum.iter_mut().zip(block) {
+                            sum[i % LANES] = entry;
                         }
                     }
                 }
             }
         }
     }
+}
 
-    fn recipes_at(&self, i: usize) -> &Vec<Recipe> {
-        &self.recipes[if i == 0 { 0 } else { 1 + usize::from(i == self.coarse.0[self.axis] - 1) }]
+fn groups_of<const B: usize, const H: usize>(numbers: &mut [f32]) -> &mut [Group<B, H>] {
+    numbers.as_chunks_mut().0.as_chunks_mut().0.as_chunks_mut().0
+}
+
+/// A row that is coarse along one axis, another than x, from the rows around `under`, the place of the first group of the
+/// fine row under it.
+fn combine<const D: usize, const B: usize, const H: usize>(
+    recipes: &[Recipe],
+    source: &[Group<B, H>],
+    under: usize,
+    groups: usize,
+    side: usize,
+    target: &mut [Group<B, H>],
+) {
+    for (group, target) in target.iter_mut().enumerate() {
+        for (block, recipe) in target.iter_mut().zip(recipes) {
+            let mut sum = [f32x4::ZERO; B];
+            let place = |route: &Route| (under + group).wrapping_add_signed(route.rows * groups as isize);
+            for route in &recipe.as_stored {
+                let (block, share) = (&source[place(route)][route.slot], f32x4::splat(route.share));
+                for (sum, entry) in sum.iter_mut().zip(block) {
+                    *sum += share * f32x4::from(*entry);
+                }
+            }
+            for route in &recipe.transposed {
+                let (place, share) = (place(route), f32x4::splat(route.share));
+                let block = match route.columns {
+                    0 => source[place][route.slot],
+                    1 => moved(&source[place][route.slot], &source[place + 1][route.slot], |now, next| {
+                        [now[1], now[2], now[3], next[0]]
+                    }),
+                    _ => moved(&source[place - 1][route.slot], &source[place][route.slot], |last, now| {
+                        [last[3], now[0], now[1], now[2]]
+                    }),
+                };
+                for i in 0..D {
+                    for j in 0..D {
+                        sum[i * D + j] += share * f32x4::from(block[j * D + i]);
+                    }
+                }
+            }
+            *block = sum.map(|lanes| lanes.to_array());
+        }
+    }
+    // What was moved in from the next row.
+    for entry in target[groups - 1].as_flattened_mut() {
+        entry[side % LANES..].fill(0.0);
+    }
+}
+
+#[inline(always)]
+fn moved<const B: usize>(
+    first: &[[f32; LANES]; B],
+    second: &[[f32; LANES]; B],
+    lanes: impl Fn(&[f32; LANES], &[f32; LANES]) -> [f32; LANES],
+) -> [[f32; LANES]; B] {
+    std::array::from_fn(|k| lanes(&first[k], &second[k]))
+}
+
+impl Pass {
+    fn new<const D: usize>(axis: usize, fine: Grid<D>) -> Self {
+        let slots = || 0..StencilOperator::<D>::HALF;
+        Self(
+            [[true, false], [true, true], [false, true]]
+                .map(|[above, below]| slots().map(|slot| Recipe::new(axis, slot, fine, below, above)).collect()),
+        )
+    }
+
+    fn at(&self, i: usize, side: usize) -> &[Recipe] {
+        &self.0[if i == 0 { 0 } else { 1 + usize::from(i == side - 1) }]
     }
 }
 
 impl Recipe {
     /// A coarse block couples I with I + O along the axis: it is the sum over the fine nodes 2I + e and 2(I + O) + f of
     /// their blocks, each by its share in both. `below` and `above`: the grid goes on beyond I.
-    fn new<const D: usize>(axis: usize, slot: usize, fine: &Extent<D>, below: bool, above: bool) -> Self {
+    fn new<const D: usize>(axis: usize, slot: usize, fine: Grid<D>, below: bool, above: bool) -> Self {
         let offset = StencilOperator::<D>::offset(StencilOperator::<D>::CENTRE + slot);
         let on_grid = |place: isize| (place >= 0 || below) && (place <= 0 || above);
         let mut recipe = Self::default();
@@ -149,27 +187,40 @@ impl Recipe {
             }
             let neighbour = StencilOperator::<D>::neighbour(towards);
             let as_stored = neighbour >= StencilOperator::<D>::CENTRE;
-            let mut node = e * fine.stride(axis) as isize;
+            let mut node = [0; D];
+            node[axis] = e;
             if !as_stored {
                 // The other of the two nodes stores the block.
-                node += (0..D).map(|k| towards[k] * fine.stride(k) as isize).sum::<isize>();
+                node = std::array::from_fn(|k| node[k] + towards[k]);
             }
-            let slot = neighbour.abs_diff(StencilOperator::<D>::CENTRE);
-            let place = node * StencilOperator::<D>::HALF as isize + slot as isize;
-            let share = 0.5_f32.powi((e.abs() + f.abs()) as i32);
             let routes = if as_stored { &mut recipe.as_stored } else { &mut recipe.transposed };
-            routes.push(Route { place, share });
+            routes.push(Route {
+                rows: node[1..].iter().rev().fold(0, |rows, &o| rows * fine.side() as isize + o),
+                columns: node[0],
+                slot: neighbour.abs_diff(StencilOperator::<D>::CENTRE),
+                share: 0.5_f32.powi((e.abs() + f.abs()) as i32),
+            });
         }
         recipe
     }
 
+    /// The block of the coarse node over a column of a row, the row with a group of zeros first.
     #[inline(always)]
-    fn sum_of<const B: usize>(routes: &[Route], source: &[[f32; B]], under: isize) -> [f32; B] {
+    fn sum_at<const D: usize, const B: usize, const H: usize>(&self, row: &[Group<B, H>], column: usize) -> [f32; B] {
         let mut sum = [0.0; B];
-        for route in routes {
-            let block = &source[(under + route.place) as usize];
-            for k in 0..B {
-                sum[k] += route.share * block[k];
+        let place = |route: &Route| column.wrapping_add_signed(route.columns);
+        for route in &self.as_stored {
+            let (block, lane) = (&row[place(route) / LANES][route.slot], place(route) % LANES);
+            for (sum, entry) in sum.iter_mut().zip(block) {
+                *sum += route.share * entry[lane];
+            }
+        }
+        for route in &self.transposed {
+            let (block, lane) = (&row[place(route) / LANES][route.slot], place(route) % LANES);
+            for i in 0..D {
+                for j in 0..D {
+                    sum[i * D + j] += route.share * block[j * D + i][lane];
+                }
             }
         }
         sum
@@ -179,6 +230,7 @@ impl Recipe {
 #[cfg(test)]
 mod tests {
     use super::super::padded::Layout;
+    use super::super::sweep::Scratch;
     use super::*;
 
     /// A symmetric operator without any other structure.
@@ -190,13 +242,15 @@ mod tests {
                 let offset = StencilOperator::<D>::offset(StencilOperator::<D>::CENTRE + slot);
                 let index = grid.node_index(node);
                 if (0..D).all(|k| (0..grid.side() as isize).contains(&(index[k] as isize + offset[k]))) {
-                    let block = operator.block_mut(node, StencilOperator::<D>::CENTRE + slot);
+                    let mut block = [[0.0; D]; D];
                     for i in 0..D {
                         for j in 0..D {
                             number = (number + 0.37) % 1.0;
-                            block[i * D + j] = if slot == 0 && i > j { block[j * D + i] } else { number };
+                            block[i][j] = if slot == 0 && i > j { block[j][i] } else { number };
                         }
                     }
+                    let place = [node / grid.side(), node % grid.side()];
+                    operator.add(place, StencilOperator::<D>::CENTRE + slot, &block);
                 }
             }
         }
@@ -211,19 +265,19 @@ mod tests {
 
         let (layout, coarse_layout) = (Layout::new(fine), Layout::new(coarse));
         let values: Vec<f64> = (0..coarse.node_count() * D).map(|k| (0.7 * k as f64).sin()).collect();
-        let mut small = vec![[0.0; D]; coarse_layout.len()];
-        let (mut large, mut image) = (vec![[0.0; D]; layout.len()], vec![[0.0; D]; layout.len()]);
+        let mut small = vec![0.0; coarse_layout.len()];
+        let (mut large, mut image) = (vec![0.0; layout.len()], vec![0.0; layout.len()]);
+        let (mut scratch, mut coarse_scratch) = (Scratch::new(&layout), Scratch::new(&coarse_layout));
         coarse_layout.store(&values, 1.0, &mut small);
-        layout.prolongate_add(&small, &coarse_layout, &mut large);
-        layout.apply(&operator, &large, &mut image);
-        let mut expected = vec![[0.0; D]; coarse_layout.len()];
-        layout.restrict(&image, &coarse_layout, &mut expected);
-        let mut found = vec![[0.0; D]; coarse_layout.len()];
-        coarse_layout.apply(&coarsened, &small, &mut found);
-        let (expected, found) = (expected.as_flattened(), found.as_flattened());
+        layout.prolongate_add(&small, &coarse_layout, &mut large, &mut scratch.line);
+        layout.apply(&operator, &large, &mut image, &mut scratch);
+        let mut expected = vec![0.0; coarse_layout.len()];
+        layout.restrict(&image, &coarse_layout, &mut expected, &mut scratch.line);
+        let mut found = vec![0.0; coarse_layout.len()];
+        coarse_layout.apply(&coarsened, &small, &mut found, &mut coarse_scratch);
         let size = expected.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
         assert!(size > 0.1);
-        for (a, b) in expected.iter().zip(found) {
+        for (a, b) in expected.iter().zip(&found) {
             assert!((a - b).abs() < 1e-5 * size, "{a} is not {b}");
         }
     }

@@ -1,38 +1,47 @@
 //! Nodal f32 vectors with a ring of zeros around the grid, so that a stencil needs no case for the boundary.
 
 use crate::grid::Grid;
-use crate::stencil::{MAX_NEIGHBOURS, StencilOperator};
+use crate::stencil::{LANES, MAX_NEIGHBOURS, StencilOperator};
 
-/// A padded vector: D components a node; the node with index i sits at index i + 1.
-pub(super) type Nodes<const D: usize> = [[f32; D]];
+/// A padded vector. A row of nodes, one with zeros before the first and after the last in each direction, is D lines of
+/// equal length, one a component.
+pub(super) type Nodes = [f32];
+
+/// Zeros before the first number of a line; those before the next line come after the last.
+const BEFORE: usize = LANES;
 
 /// Where a grid's nodes sit in a padded vector.
 #[derive(Clone, Copy)]
 pub(super) struct Layout<const D: usize> {
     grid: Grid<D>,
-    /// How much further than a node its neighbour in a slot of the stored half sits.
+    /// Numbers a line.
+    pub line: usize,
+    /// How much further than a node's numbers those of its neighbour in a slot of the stored half sit.
     pub shifts: [usize; MAX_NEIGHBOURS],
-    /// How much larger its number is.
+    /// How many rows of the grid later that neighbour's row comes.
     pub strides: [usize; MAX_NEIGHBOURS],
 }
 
 impl<const D: usize> Layout<D> {
     pub fn new(grid: Grid<D>) -> Self {
-        let further = |slot: usize, side: usize| {
-            let offset = StencilOperator::<D>::offset(StencilOperator::<D>::CENTRE + slot);
-            offset.iter().rev().fold(0, |sum, &o| sum * side as isize + o) as usize
+        let line = BEFORE + (grid.side() / LANES + 1) * LANES;
+        // Rows between a node's and its neighbour's if there are `side` of them along an axis.
+        let rows = |offset: &[isize; D], side: usize| {
+            offset[1..].iter().rev().fold(0, |sum, &o| sum * side as isize + o) as usize
         };
         let (mut shifts, mut strides) = ([0; MAX_NEIGHBOURS], [0; MAX_NEIGHBOURS]);
         for slot in 0..StencilOperator::<D>::HALF {
-            shifts[slot] = further(slot, grid.side() + 2);
-            strides[slot] = further(slot, grid.side());
+            let offset = StencilOperator::<D>::offset(StencilOperator::<D>::CENTRE + slot);
+            shifts[slot] = (rows(&offset, grid.side() + 2) * D * line).wrapping_add_signed(offset[0]);
+            strides[slot] = rows(&offset, grid.side());
         }
-        Self { grid, shifts, strides }
+        Self { grid, line, shifts, strides }
     }
 
-    /// Nodes of the grid and its ring.
+    /// Numbers of a vector.
     pub fn len(&self) -> usize {
-        (self.grid.side() + 2).pow(D as u32)
+        // A last line may be read to beyond its end.
+        (self.grid.side() + 2).pow(D as u32 - 1) * D * self.line + BEFORE
     }
 
     /// Nodes a row.
@@ -45,69 +54,91 @@ impl<const D: usize> Layout<D> {
         self.grid.node_count() / self.grid.side()
     }
 
-    /// The position of the first node of a row.
+    /// Groups of nodes a row.
+    pub fn groups(&self) -> usize {
+        self.side() / LANES + 1
+    }
+
+    /// Rows of zeros before an operator's first.
+    pub fn margin(&self) -> usize {
+        (0..D - 1).map(|axis| self.grid.stride(axis)).sum()
+    }
+
+    /// The position of the first component of the first node of a row.
     pub fn row_start(&self, row: usize) -> usize {
         self.start_of(&row_index(row, self.side()))
     }
 
-    /// The position of the node with an index.
+    /// The same for the row with an index, of which the first does not count.
     fn start_of(&self, index: &[usize; D]) -> usize {
-        index.iter().rev().fold(0, |sum, &i| sum * (self.side() + 2) + i + 1)
+        let row = index[1..].iter().rev().fold(0, |sum, &i| sum * (self.side() + 2) + i + 1);
+        row * D * self.line + BEFORE
     }
 
-    pub fn store(&self, values: &[f64], scale: f64, padded: &mut Nodes<D>) {
+    pub fn store(&self, values: &[f64], scale: f64, padded: &mut Nodes) {
         for (row, values) in values.chunks_exact(self.side() * D).enumerate() {
-            let padded = padded[self.row_start(row)..][..self.side()].as_flattened_mut();
-            for (p, v) in padded.iter_mut().zip(values) {
-                *p = (v * scale) as f32;
+            let start = self.row_start(row);
+            for k in 0..D {
+                for (p, v) in padded[start + k * self.line..].iter_mut().zip(values[k..].iter().step_by(D)) {
+                    *p = (v * scale) as f32;
+                }
             }
         }
     }
 
-    pub fn load(&self, padded: &Nodes<D>, scale: f64, values: &mut [f64]) {
+    pub fn load(&self, padded: &Nodes, scale: f64, values: &mut [f64]) {
         for (row, values) in values.chunks_exact_mut(self.side() * D).enumerate() {
-            let padded = padded[self.row_start(row)..][..self.side()].as_flattened();
-            for (v, p) in values.iter_mut().zip(padded) {
-                *v = f64::from(*p) * scale;
+            let start = self.row_start(row);
+            for k in 0..D {
+                for (v, p) in values[k..].iter_mut().step_by(D).zip(&padded[start + k * self.line..]) {
+                    *v = f64::from(*p) * scale;
+                }
             }
         }
     }
 
-    /// coarse = Pᵀ fine.
-    pub fn restrict(&self, fine: &Nodes<D>, coarse_layout: &Layout<D>, coarse: &mut Nodes<D>) {
+    /// coarse = Pᵀ fine. `line` is memory for one, zeros about it included.
+    pub fn restrict(&self, fine: &Nodes, coarse_layout: &Layout<D>, coarse: &mut Nodes, line: &mut [f32]) {
         let side = coarse_layout.side();
+        let sums = &mut line[..2 * side + 1];
         for row in 0..coarse_layout.rows() {
-            let coarse = &mut coarse[coarse_layout.row_start(row)..][..side];
-            coarse.fill([0.0; D]);
-            for (share, start) in self.fine_rows(&row_index(row, side)) {
+            let start = coarse_layout.row_start(row);
+            for k in 0..D {
                 // From the ring's node before the row to the one after it.
-                let (pairs, _) = fine[start - 1..][..2 * side + 1].as_chunks::<2>();
-                let rights = fine[start + 1..].iter().step_by(2);
-                for ((coarse, [left, under]), right) in coarse.iter_mut().zip(pairs).zip(rights) {
-                    for k in 0..D {
-                        coarse[k] += share * (under[k] + 0.5 * (left[k] + right[k]));
+                sums.fill(0.0);
+                for (share, start) in self.fine_rows(&row_index(row, side)) {
+                    let fine = &fine[start + k * self.line - 1..][..2 * side + 1];
+                    for (sum, value) in sums.iter_mut().zip(fine) {
+                        *sum += share * value;
                     }
+                }
+                let (pairs, _) = sums.as_chunks::<2>();
+                let coarse = &mut coarse[start + k * coarse_layout.line..][..side];
+                for ((coarse, [left, under]), right) in coarse.iter_mut().zip(pairs).zip(sums[2..].iter().step_by(2)) {
+                    *coarse = under + 0.5 * (left + right);
                 }
             }
         }
     }
 
-    /// fine += P coarse. What would fall beyond the grid is left out.
-    pub fn prolongate_add(&self, coarse: &Nodes<D>, coarse_layout: &Layout<D>, fine: &mut Nodes<D>) {
+    /// fine += P coarse. What would fall beyond the grid is left out. `line` is memory for one.
+    pub fn prolongate_add(&self, coarse: &Nodes, coarse_layout: &Layout<D>, fine: &mut Nodes, line: &mut [f32]) {
         let side = coarse_layout.side();
+        let line = &mut line[..self.side()];
         for row in 0..coarse_layout.rows() {
-            let coarse = &coarse[coarse_layout.row_start(row)..][..side];
-            for (share, start) in self.fine_rows(&row_index(row, side)) {
-                let fine = &mut fine[start..][..self.side()];
-                let (pairs, last) = fine.as_chunks_mut::<2>();
+            let start = coarse_layout.row_start(row);
+            for k in 0..D {
+                let coarse = &coarse[start + k * coarse_layout.line..][..side];
+                let (pairs, last) = line.as_chunks_mut::<2>();
                 for ([under, right], values) in pairs.iter_mut().zip(coarse.windows(2)) {
-                    for k in 0..D {
-                        under[k] += share * values[0][k];
-                        right[k] += share * 0.5 * (values[0][k] + values[1][k]);
-                    }
+                    *under = values[0];
+                    *right = 0.5 * (values[0] + values[1]);
                 }
-                for k in 0..D {
-                    last[0][k] += share * coarse[side - 1][k];
+                last[0] = coarse[side - 1];
+                for (share, start) in self.fine_rows(&row_index(row, side)) {
+                    for (fine, value) in fine[start + k * self.line..].iter_mut().zip(&*line) {
+                        *fine += share * value;
+                    }
                 }
             }
         }

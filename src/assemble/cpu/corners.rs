@@ -47,6 +47,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         let offsets: [usize; MAX_CORNERS] = self.grid.corner_offsets();
         let cells = self.grid.cells() as f64;
         let share = weight * self.functional.vertex_share / Grid::<D>::CORNERS as f64;
+        let places = self.corner_places::<C>(base);
         let value = |corner: usize, k: usize| displacement[(base + offsets[corner]) * D + k];
         for corner in 0..C {
             // Columns ∂φ/∂x_k by the edges that meet in this corner.
@@ -72,12 +73,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             }
             for a in 0..C {
                 for b in a..C {
-                    let block = operator.block_mut(base + offsets[a], self.corner_neighbours[a][b]);
-                    for i in 0..D {
-                        for j in 0..D {
-                            block[i * D + j] += (share * second * slopes[a][i] * slopes[b][j]) as f32;
-                        }
-                    }
+                    let entry = |i: usize, j: usize| (share * second * slopes[a][i] * slopes[b][j]) as f32;
+                    let block = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+                    operator.add(places[a], self.corner_neighbours[a][b], &block);
                 }
             }
         }

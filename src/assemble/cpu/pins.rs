@@ -64,12 +64,12 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             if ORDER >= HESSIAN
                 && let Some(operator) = operator
             {
+                let places = self.corner_places::<C>(*base);
                 for a in 0..C {
                     for b in a..C {
-                        let block = operator.block_mut(base + offsets[a], self.corner_neighbours[a][b]);
-                        for k in 0..D {
-                            block[k * D + k] += (2.0 * weight * shares[a] * shares[b]) as f32;
-                        }
+                        let entry = (2.0 * weight * shares[a] * shares[b]) as f32;
+                        let block = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { entry } else { 0.0 }));
+                        operator.add(places[a], self.corner_neighbours[a][b], &block);
                     }
                 }
             }

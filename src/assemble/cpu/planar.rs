@@ -13,7 +13,7 @@ use super::CpuAssembler;
 use super::bilinear::{Cell, Line, combined, to_corners, transposed, turned};
 use super::element::Pairs;
 use crate::energy::{Energies, GRADIENT, HESSIAN, Point, Response, Term, Volume};
-use crate::small::{Scalar, Vector, add_scaled, dot};
+use crate::small::{F32x4, Scalar, Vector, add_scaled, dot};
 use crate::stencil::StencilOperator;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
@@ -62,28 +62,28 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     }
 
     /// What [`spatial_hessian_pass`](Self::spatial_hessian_pass) adds, for D = 2.
-    pub(super) fn planar_hessian_pass<T: Scalar, const C: usize>(
-        &self,
-        displacement: &[f64],
-        operator: &mut StencilOperator<D>,
-    ) {
+    pub(super) fn planar_hessian_pass<const C: usize>(&self, displacement: &[f64], operator: &mut StencilOperator<D>) {
         let volume = Volume(self.functional.material);
         let (cells, side) = (self.grid.cells() as f64, self.grid.side());
-        let line: Line<T, 2> = Line::of(&self.gauss2);
+        let line: Line<F32x4, 2> = Line::of(&self.gauss2);
         for (row, weights) in self.volume_weight.chunks_exact(self.grid.cells()).enumerate() {
-            for (pack, weights) in weights.chunks_exact(T::LANES).enumerate() {
-                let base = row * side + pack * T::LANES;
-                // Differences are taken before the numbers are rounded to T.
-                let edges = |low: usize, high: usize| -> Vector<T, D> {
+            for (pack, weights) in weights.chunks_exact(F32x4::LANES).enumerate() {
+                let base = row * side + pack * F32x4::LANES;
+                // Differences are taken before the numbers are rounded.
+                let edges = |low: usize, high: usize| -> Vector<F32x4, D> {
                     let (low, high) = (&displacement[(base + low) * D..], &displacement[(base + high) * D..]);
-                    std::array::from_fn(|k| T::gather(|lane| (high[lane * D + k] - low[lane * D + k]) * cells))
+                    std::array::from_fn(|k| F32x4::gather(|lane| (high[lane * D + k] - low[lane * D + k]) * cells))
                 };
                 let cell = Cell::of_edges(&edges(0, 1), &edges(side, side + 1), &edges(0, side), &edges(1, side + 1));
-                let scaled = T::gather(|lane| weights[lane] * cells * cells);
-                let mut pairs = [[[[T::zero(); D]; D]; C]; C];
+                let scaled = F32x4::gather(|lane| weights[lane] * cells * cells);
+                let mut pairs: Pairs<F32x4, D, C> = [[[[F32x4::zero(); D]; D]; C]; C];
                 add_cell_pairs(&volume, scaled, &line, &cell, &mut pairs);
-                self.scatter_pairs(&pairs, |lane| base + lane, operator);
-                self.stiffen_corners::<T, C>(cell.least_determinant(), base, weights, displacement, operator);
+                for (a, place) in self.corner_places::<C>(base).into_iter().enumerate() {
+                    for b in a..C {
+                        operator.add_lanes(place, self.corner_neighbours[a][b], &pairs[a][b]);
+                    }
+                }
+                self.stiffen_corners::<F32x4, C>(cell.least_determinant(), base, weights, displacement, operator);
             }
         }
     }
@@ -246,7 +246,7 @@ mod tests {
                 let least = if planar {
                     assembler.planar_volume_pass::<GRADIENT>(&displacement, &mut gradient, &mut energies)
                 } else {
-                    assembler.volume_pass::<GRADIENT>(&displacement, &mut gradient, &mut energies)
+                    assembler.volume_pass::<GRADIENT, 3>(&assembler.gauss3, &displacement, &mut gradient, &mut energies)
                 };
                 (least, energies.volume, gradient)
             };
@@ -263,10 +263,10 @@ mod tests {
     fn the_hessian_is_that_of_the_general_pass() {
         let (assembler, displacement) = example(0.0);
         let [mut found, mut expected] = [0, 1].map(|_| StencilOperator::zero(assembler.grid));
-        assembler.planar_hessian_pass::<f64, 4>(&displacement, &mut found);
+        assembler.planar_hessian_pass::<4>(&displacement, &mut found);
         assembler.volume_hessian_pass::<f64, 4>(&displacement, &mut expected);
-        let size = expected.blocks().iter().fold(0.0_f32, |most, x| most.max(x.abs()));
-        let pairs = found.blocks().iter().zip(expected.blocks());
+        let size = expected.numbers().iter().fold(0.0_f32, |most, x| most.max(x.abs()));
+        let pairs = found.numbers().iter().zip(expected.numbers());
         pairs.for_each(|(a, b)| close((*a).into(), (*b).into(), size.into(), 1e-5));
     }
 }

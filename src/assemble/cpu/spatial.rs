@@ -83,6 +83,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             let slopes: [[Vector<F32x4, D>; C]; C] =
                 std::array::from_fn(|point| self.slopes_of_dilation(material, scaled, &columns, point));
             let middle = middle_of(&edges);
+            let places = self.corner_places::<C>(base);
             let twist = shortened_twist(material, &middle);
             let (mu, twist) = (scaled * all(material.mu), scaled * twist);
             for a in 0..C {
@@ -112,8 +113,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                             block[j][i] -= turn;
                         }
                     }
-                    let (node, neighbour) = (base + offsets[a], self.corner_neighbours[a][b]);
-                    add_to_blocks(operator.blocks_along_mut(node, neighbour), &block);
+                    operator.add_lanes(places[a], self.corner_neighbours[a][b], &block);
                 }
             }
             let corners = columns_of(&self.vertices, &edges);
@@ -183,27 +183,6 @@ fn shortened_twist<const D: usize>(material: &Material, middle: &Matrix<F32x4, D
     shortened((det + det) * slope, middle, det, all(material.mu))
 }
 
-/// Adds a lane to each of four blocks that stand `apart` numbers from each other.
-#[inline(always)]
-fn add_to_blocks<const D: usize>((blocks, apart): (&mut [f32], usize), block: &Matrix<F32x4, D>) {
-    // By rows: a lane's numbers are consecutive in its block.
-    let mut numbers = [F32x4::zero(); 9];
-    for (number, entry) in numbers.iter_mut().zip(block.as_flattened()) {
-        *number = *entry;
-    }
-    let quarter = |k: usize| F32x4::transpose([numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3]]);
-    let (first, second, last) = (quarter(0), quarter(4), numbers[8].to_array());
-    for lane in 0..LANES {
-        let block: &mut [f32; 9] = (&mut blocks[lane * apart..][..9]).try_into().expect("a slice of nine");
-        let (low, high) = (&block[..4], &block[4..8]);
-        let low = F32x4::from([low[0], low[1], low[2], low[3]]) + first[lane];
-        let high = F32x4::from([high[0], high[1], high[2], high[3]]) + second[lane];
-        block[..4].copy_from_slice(&low.to_array());
-        block[4..8].copy_from_slice(&high.to_array());
-        block[8] += last[lane];
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -230,8 +209,8 @@ mod tests {
         let [mut found, mut expected] = [0, 1].map(|_| StencilOperator::zero(grid));
         assembler.spatial_hessian_pass::<8>(&displacement, &mut found);
         assembler.volume_hessian_pass::<f64, 8>(&displacement, &mut expected);
-        let size = expected.blocks().iter().fold(0.0_f32, |most, x| most.max(x.abs()));
-        for (a, b) in found.blocks().iter().zip(expected.blocks()) {
+        let size = expected.numbers().iter().fold(0.0_f32, |most, x| most.max(x.abs()));
+        for (a, b) in found.numbers().iter().zip(expected.numbers()) {
             assert!((a - b).abs() <= 1e-5 * size, "{a} is not {b}");
         }
     }

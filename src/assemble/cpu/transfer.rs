@@ -40,18 +40,25 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         node: impl Fn(usize) -> usize,
         operator: &mut StencilOperator<D>,
     ) {
-        let offsets = self.grid.corner_offsets();
-        for a in 0..Grid::<D>::CORNERS {
-            for b in a..Grid::<D>::CORNERS {
-                for lane in 0..T::LANES {
-                    let block = operator.block_mut(node(lane) + offsets[a], self.corner_neighbours[a][b]);
-                    for i in 0..D {
-                        for j in 0..D {
-                            block[i * D + j] += pairs[a][b][i][j].lane(lane) as f32;
-                        }
-                    }
+        for lane in 0..T::LANES {
+            let places = self.corner_places::<C>(node(lane));
+            for a in 0..C {
+                for b in a..C {
+                    let block = pairs[a][b].map(|row| row.map(|entry| entry.lane(lane) as f32));
+                    operator.add(places[a], self.corner_neighbours[a][b], &block);
                 }
             }
         }
+    }
+
+    /// Rows and columns of the corners of the cell with this lowest node.
+    #[inline(always)]
+    pub(super) fn corner_places<const C: usize>(&self, node: usize) -> [[usize; 2]; C] {
+        let side = self.grid.side();
+        let (row, column) = (node / side, node % side);
+        std::array::from_fn(|corner| {
+            let rows: usize = (1..D).map(|axis| (corner >> axis & 1) * self.grid.stride(axis - 1)).sum();
+            [row + rows, column + (corner & 1)]
+        })
     }
 }

@@ -112,6 +112,57 @@ fn a_rigid_motion_costs_no_membrane_volume_or_bending_energy() {
     rigid_motions_are_free::<3>(16);
 }
 
+/// A displacement that bends and shears, far from a fold.
+fn wavy<const D: usize>(grid: Grid<D>) -> Vec<f64> {
+    (0..grid.node_count())
+        .flat_map(|node| {
+            let x = grid.position(node);
+            std::array::from_fn::<f64, D, _>(|k| 0.03 * (5.0 * x[(k + 1) % D] + x[k]).sin() + 0.02 * x[k])
+        })
+        .collect()
+}
+
+#[test]
+fn two_gauss_points_an_axis_find_in_space_what_three_do() {
+    let (reference, template) = (ellipsoid::<3>(32, 0.0), ellipsoid::<3>(32, 0.4));
+    let three = Settings::default().functional(5);
+    let two = Settings::default().thrifty_functional::<3>(5);
+    assert_eq!((two.gauss_points, three.gauss_points), (2, 3));
+    assert_eq!(Settings::default().thrifty_functional::<3>(4).gauss_points, 3, "the band is less than 1.5 cells wide");
+    assert_eq!(Settings::default().thrifty_functional::<2>(7).gauss_points, 3, "in the plane there are always three");
+    let displacement = wavy(reference.grid());
+    let [found, expected] = [two, three].map(|f| energies(&f, &reference, &template, &displacement));
+    let agree = |name: &str, found: f64, expected: f64| {
+        assert!((found / expected - 1.0).abs() < 0.01, "{name}: {found} for {expected}");
+    };
+    agree("membrane", found.membrane, expected.membrane);
+    agree("bending", found.bending, expected.bending);
+    agree("mismatch", found.mismatch, expected.mismatch);
+    agree("volume", found.volume, expected.volume);
+}
+
+#[test]
+fn in_space_the_gradient_is_the_energys_derivative_with_two_and_three_gauss_points() {
+    let (reference, template) = (ellipsoid::<3>(16, 0.0), ellipsoid::<3>(16, 0.4));
+    let displacement = wavy(reference.grid());
+    for gauss_points in [2, 3] {
+        let functional = Functional { gauss_points, ..Settings::default().functional(5) };
+        let mut assembler: CpuAssembler<3> = CpuAssembler::new(&functional, &reference, &template);
+        let mut gradient = vec![0.0; displacement.len()];
+        ready(assembler.gradient(&displacement, &mut gradient));
+        let most = gradient.iter().fold(0.0_f64, |most, g| most.max(g.abs()));
+        let slope: f64 = gradient.iter().map(|g| g * g / most).sum();
+        let mut energy_at = |step: f64| {
+            let moved: Vec<f64> = displacement.iter().zip(&gradient).map(|(u, g)| u + step * g / most).collect();
+            ready(assembler.energy(&moved)).total()
+        };
+        // Short enough that next to no point comes to another cell of the template, where its interpolant has kinks.
+        let step = 1e-7;
+        let quotient = (energy_at(step) - energy_at(-step)) / (2.0 * step);
+        assert!((quotient / slope - 1.0).abs() < 1e-5, "{gauss_points} points: {quotient} is not {slope}");
+    }
+}
+
 #[test]
 fn the_identity_is_the_minimiser_for_equal_shapes() {
     let shape = distance(5, star(CENTRE, 0.22, 5, 0.2, 0.3));

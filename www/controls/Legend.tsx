@@ -1,11 +1,12 @@
-import { type ReadonlySignal, useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import type { ReadonlySignal } from "@preact/signals";
 import type { Session } from "../session";
 import type { Match } from "../view/result";
 import { css, type Scale } from "../view/scales";
 import { later } from "../words/later";
 import { adopt } from "./adopt";
 import style from "./legend.css?inline";
+import { ScaleBar } from "./ScaleBar";
+import { useDark } from "./useDark";
 import { lazy, picture, view } from "./viewing";
 
 adopt(style);
@@ -36,26 +37,6 @@ type Shown = {
   /** Of the match. */
   readonly bandwidth: number;
 };
-
-function ScaleBar({ scale }: { scale: Scale }) {
-  const stops = Array.from({ length: 17 }, (_, i) => css(scale.colours[Math.round((i / 16) * 255)]));
-  return (
-    <>
-      <div class="bar" style={{ background: `linear-gradient(to right, ${stops.join(", ")})` }} />
-      <ol class="ticks">
-        {scale.ticks.map(({ part, text }) => (
-          <li key={part} style={{ insetInlineStart: `${100 * part}%` }}>
-            {text}
-          </li>
-        ))}
-      </ol>
-      <figcaption>
-        {scale.title}
-        {scale.unit && <span class="unit">{scale.unit}</span>}
-      </figcaption>
-    </>
-  );
-}
 
 /** How much of the curve has which stretch. */
 function Histogram({ parts, scale }: { parts: readonly number[]; scale: Scale }) {
@@ -117,17 +98,4 @@ export async function takePicture(session: Session, file: File): Promise<void> {
   } catch (error) {
     session.problem.value = error instanceof Error ? error.message : String(error);
   }
-}
-
-function useDark() {
-  const dark = useSignal(matchMedia("(prefers-color-scheme: dark)").matches);
-  useEffect(() => {
-    const query = matchMedia("(prefers-color-scheme: dark)");
-    const change = () => {
-      dark.value = query.matches;
-    };
-    query.addEventListener("change", change);
-    return () => query.removeEventListener("change", change);
-  }, [dark]);
-  return dark;
 }

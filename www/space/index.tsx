@@ -8,10 +8,11 @@ import { space as say } from "../words/space";
 import { readSolid } from "./files";
 import { PAIRS, surface } from "./gallery";
 import { decode, encode, type Linked } from "./link";
-import { Space, type Ways } from "./Space";
+import { Space } from "./Space";
 import { FIRST_LOOK, type Side, SpaceSession, type Step } from "./session";
 import type { Solid } from "./solid";
 import { isFile, keep, kept } from "./store";
+import type { Ways } from "./ways";
 import SolidWorker from "./worker?worker&inline";
 
 const WRITE_MILLIS = 400;

@@ -36,7 +36,8 @@ describe("the gallery", () => {
       edges.add(indices[k] * vertices + indices[next]);
     }
     expect(edges.size).toBe(indices.length);
-    for (const edge of edges) expect(edges.has((edge % vertices) * vertices + Math.floor(edge / vertices))).toBe(true);
+    const isSingle = (edge: number) => !edges.has((edge % vertices) * vertices + Math.floor(edge / vertices));
+    expect([...edges].filter(isSingle)).toEqual([]);
   });
 
   test.each([

@@ -170,6 +170,10 @@ export const surfaces: Book["surfaces"] = {
   bar: { name: "Stab" },
   "bar-twisted": { name: "Stab, verdrillt" },
   "bar-bent": { name: "Stab, gebogen" },
+  figure: { name: "Figur" },
+  "figure-waving": { name: "Figur, winkend" },
+  hound: { name: "Hund" },
+  "hound-trotting": { name: "Hund, trabend" },
 };
 
 export const pairsOfSurfaces: Book["pairsOfSurfaces"] = {
@@ -182,4 +186,6 @@ export const pairsOfSurfaces: Book["pairsOfSurfaces"] = {
   "sphere star": { name: "Kugel → Superform" },
   "bar bar-twisted": { name: "Stab, verdrillt" },
   "bar bar-bent": { name: "Stab, gebogen" },
+  "figure figure-waving": { name: "Figur, winkend" },
+  "hound hound-trotting": { name: "Hund, trabend" },
 };

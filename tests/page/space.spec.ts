@@ -194,7 +194,7 @@ test("what cannot be read or matched is said, and changes nothing", async ({ pag
     mimeType: "text/plain",
     buffer: Buffer.from("no mesh"),
   });
-  await expect(alert).toContainText("“notes.txt” was not taken: it is none of PLY, OBJ, STL or JSON");
+  await expect(alert).toContainText("“notes.txt” was not taken: it is none of PLY, OBJ, STL, NRRD or JSON");
   await expect(page.getByLabel("Surface of the reference").locator("option:checked")).toHaveText("Sphere");
   const open = octahedron().split("\n").slice(0, -2).join("\n").replace("face 32", "face 31");
   await drop(page, "#reference-surface", file("open.ply", "", open));

@@ -1,7 +1,7 @@
 /** Creatures of round limbs, grown together smoothly: surfaces with features, each in two poses. */
 
 import type { Mesh } from "./forms";
-import { zeroSet } from "./nets";
+import { zeroSetOfBox } from "./nets";
 import { dot, minus, type Vector } from "./solid";
 
 /** A rod with round ends. */
@@ -73,7 +73,7 @@ function grown(limbs: readonly Limb[]): Mesh {
       (index) => index / CELLS - 0.5,
     ) as unknown as Vector;
   const values = Float64Array.from({ length: side ** 3 }, (_, k) => distance(limbs, at(k)));
-  const { positions, indices } = zeroSet(CELLS, values);
+  const { positions, indices } = zeroSetOfBox(CELLS, values);
   for (let k = 0; k < positions.length; k += 3) {
     const placed: Vector = [positions[k] - 0.5, positions[k + 1] - 0.5, positions[k + 2] - 0.5];
     positions.set(settled(limbs, placed), k);

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { json, ply } from "./export";
-import { readSolid } from "./files";
+import { openSolid, readSolid } from "./files";
 import { surface } from "./gallery";
 import type { Result } from "./session";
 import { type Solid, volume } from "./solid";
@@ -102,6 +102,103 @@ test("a level set becomes its zero set", () => {
     expect(Math.abs(Math.hypot(...[0, 1, 2].map((i) => positions[k + i] - 0.5)) - 0.3)).toBeLessThan(0.015);
 });
 
+describe("a volume", () => {
+  const [width, height, depth] = [24, 20, 16];
+  /** A ball of radius 3 in a box of unlike sizes and steps. */
+  const values = Array.from({ length: width * height * depth }, (_, k) => {
+    const at = [k % width, Math.floor(k / width) % height, Math.floor(k / (width * height))];
+    return Math.hypot(0.5 * (at[0] - 11), 0.5 * (at[1] - 9), at[2] - 7) - 3;
+  });
+  const head = (type: string, encoding: string, more = "spacings: 0.5 0.5 1\n") =>
+    `NRRD0004\n# of a test\ntype: ${type}\ndimension: 3\nsizes: ${width} ${height} ${depth}\nencoding: ${encoding}\n${more}\n`;
+  const joined = (text: string, data: Uint8Array) => new Uint8Array([...bytes(text), ...data]);
+  const floats = (little: boolean) => {
+    const view = new DataView(new ArrayBuffer(4 * values.length));
+    for (const [k, value] of values.entries()) view.setFloat32(4 * k, value, little);
+    return new Uint8Array(view.buffer);
+  };
+  const expectBall = ({ positions, indices }: Solid) => {
+    expect(volume(positions, indices) / ((Math.PI / 6) * 0.6 ** 3)).toBeGreaterThan(0.94);
+    expect(volume(positions, indices) / ((Math.PI / 6) * 0.6 ** 3)).toBeLessThan(1.06);
+  };
+
+  test.each([
+    ["raw, little", joined(head("float", "raw", "spacings: 0.5 0.5 1\nendian: little\n"), floats(true))],
+    ["raw, big", joined(head("float", "raw", "spacings: 0.5 0.5 1\nendian: big\n"), floats(false))],
+    ["text", bytes(head("double", "ascii") + values.join(" "))],
+    [
+      "directions",
+      bytes(head("double", "text", "space directions: (0.5,0,0) (0,0.5,0) (0,0,1)\n") + values.join("\n")),
+    ],
+    ["a mask", bytes(head("uchar", "txt") + values.map((value) => (value < 0 ? 255 : 0)).join(" "))],
+  ])("as NRRD is its zero set: %s", (name, file) => {
+    if (name === "a mask") expect(readSolid("ball.nrrd", file).indices.length).toBeGreaterThan(100);
+    else expectBall(readSolid("ball.nrrd", file));
+  });
+
+  test("may be packed", async () => {
+    const stream = new Blob([floats(true)]).stream().pipeThrough(new CompressionStream("gzip"));
+    const packed = new Uint8Array(await new Response(stream).arrayBuffer());
+    expectBall(await openSolid("ball.nrrd", joined(head("float", "gzip"), packed)));
+    await expect(openSolid("ball.nrrd", joined(head("float", "gzip"), packed.slice(0, 60)))).rejects.toThrow(
+      "“ball.nrrd” was not taken: it ends too early.",
+    );
+  });
+
+  test.each([
+    ["no header", "NRRD0004\ntype: float\n", "is no NRRD"],
+    ["four sizes", head("float", "raw").replace("dimension: 3", "dimension: 4"), "is no NRRD"],
+    ["an unknown packing", head("float", "bzip2"), "is no NRRD"],
+    ["elsewhere", head("float", "raw", "data file: ball.raw\n"), "is no NRRD"],
+    ["cut", `${head("float", "raw")}abc`, "ends too early"],
+    ["cut text", `${head("float", "ascii")}1 2 3`, "ends too early"],
+    [
+      "words",
+      head("float", "ascii") + values.fill(1, 0, 1).join(" ").replace("1", "one"),
+      "where a number was expected",
+    ],
+    ["nothing inside", head("float", "ascii") + values.map(() => 1).join(" "), "no triangles"],
+    ["too many", head("uchar", "raw").replace(/sizes: .*/, "sizes: 4096 4096 4096"), "more than 8000000 voxels"],
+  ])("is refused: %s", (_, text, why) => {
+    expect(() => readSolid("ball.nrrd", bytes(text))).toThrow(why);
+  });
+});
+
+describe("what exporters write, too, is read:", () => {
+  test("a small mesh far from the origin keeps its vertices apart", () => {
+    const far = obj.replace(/^v (\S+) (\S+) (\S+)$/gm, (_, x, y, z) =>
+      ["v", 4_500_000 + Number(x) / 64, 600_000 + Number(y) / 64, Number(z) / 64].join(" "),
+    );
+    expectTetrahedron(readSolid("survey.obj", bytes(far)));
+  });
+
+  test.each([1e-60, 1e-12, 1e60, 1e300])("a mesh of the size %s", (size) => {
+    const scaled = obj.replace(/^v (\S+) (\S+) (\S+)$/gm, (_, ...xyz) =>
+      ["v", ...xyz.slice(0, 3).map((x) => size * Number(x))].join(" "),
+    );
+    expectTetrahedron(readSolid("a.obj", bytes(scaled)));
+  });
+
+  test("a binary STL with something after its triangles", () => {
+    expectTetrahedron(readSolid("a.stl", new Uint8Array([...binaryStl(), 0, 0, 7])));
+  });
+
+  test("an STL in capitals", () => {
+    expectTetrahedron(readSolid("part", bytes(stl.toUpperCase())));
+  });
+
+  test("an OBJ whose lines go on in the next one, or end as on old Macs", () => {
+    expectTetrahedron(readSolid("a.obj", bytes(obj.replace(/^(f \S+) /gm, "$1 \\\n"))));
+    expectTetrahedron(readSolid("a.obj", bytes(obj.replaceAll("\n", "\r"))));
+  });
+});
+
+test("nothing takes for ever: blanks without end, and elements of nothing", () => {
+  expect(() => readSolid("blank", bytes(`${" \n".repeat(150)}x`))).toThrow("none of PLY");
+  const nothing = asciiPly.replace("element face", "element ghost 4000000000\nelement face");
+  expect(() => readSolid("a.ply", bytes(nothing))).toThrow("no PLY header");
+});
+
 test("the same bytes have the same key, others another", () => {
   const key = (text: string) => readSolid("a.obj", bytes(text)).id;
   expect(key(obj)).toBe(key(obj));
@@ -117,12 +214,24 @@ describe("what cannot be read is refused by a sentence:", () => {
     ["a cut PLY", "a.ply", asciiPly.slice(0, -12), "ends too early"],
     ["an unknown PLY", "a.ply", asciiPly.replace("ascii", "morse"), "the unknown format “morse”"],
     ["a PLY without a header", "a.ply", "ply\nformat ascii 1.0\n", "no PLY header"],
+    ["a vertex between two", "a.obj", `${obj}f 1.5 2 3\n`, "a vertex that it does not have"],
+    [
+      "a facet without its last number",
+      "a.stl",
+      stl.replace("vertex 0 0 0\n", "vertex 0 0\n"),
+      "a number was expected",
+    ],
+    ["a mesh beyond all numbers", "a.obj", "v -1.7e308 0 0\nv 1.7e308 0 0\nv 0 1 0\nf 1 2 3\n", "than numbers do"],
     ["one point", "a.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "no extent"],
     ["other JSON", "a.json", '{"cells": 3}', "is no JSON with “cells”"],
     ["broken JSON", "a.json", "{", "is no JSON with “cells”"],
   ])("%s", (_, name, text, why) => {
     expect(() => readSolid(name, bytes(text))).toThrow(why);
     expect(() => readSolid(name, bytes(text))).toThrow(/^“a\..*” was not taken: it .*\.$/);
+  });
+
+  test("a cut binary STL", () => {
+    expect(() => readSolid("a.stl", binaryStl().slice(0, -5))).toThrow("ends too early");
   });
 
   test("a cut binary PLY", () => {

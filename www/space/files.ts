@@ -1,18 +1,37 @@
-/** Meshes from files: PLY (ascii and binary), OBJ, STL (ascii and binary), and level sets as JSON. No DOM. */
+/** Meshes from files: PLY (ascii and binary), OBJ, STL (ascii and binary), and level sets as NRRD or JSON. No DOM. */
 
 import { space as say } from "../words/space";
-import { zeroSet } from "./nets";
-import { fitted, type Solid } from "./solid";
+import { zeroSetOfBox } from "./nets";
+import { isNrrd, readNrrd, unpacked } from "./nrrd";
+import { box, fitted, type Solid } from "./solid";
 import { keyOf } from "./store";
 
-type Soup = { readonly positions: Float64Array; readonly indices: Uint32Array };
+/** Vertices and triangles as a file numbers them. */
+export type Soup = { readonly positions: Float64Array; readonly indices: Uint32Array };
 
-export const ACCEPTED = ".ply,.obj,.stl,.json";
+export const ACCEPTED = ".ply,.obj,.stl,.nrrd,.json";
 
 const MOST_TRIANGLES = 400_000;
 
 /** The mesh, scaled and centred. Throws a sentence for what cannot be read. */
 export function readSolid(name: string, bytes: Uint8Array): Solid {
+  return read(name, bytes, (soup) => ({ id: keyOf(bytes), name: name.slice(0, 60), ...fitted(welded(soup)) }));
+}
+
+/** The same of a file that may be packed. */
+export async function openSolid(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<Solid> {
+  const plain = await unpacked(bytes).catch((error) => {
+    throw refused(name, error);
+  });
+  return readSolid(name, plain);
+}
+
+/** The mesh with its own coordinates and numbering. Throws a sentence for what cannot be read. */
+export function readSoup(name: string, bytes: Uint8Array): Soup {
+  return read(name, bytes, (soup) => soup);
+}
+
+function read<T>(name: string, bytes: Uint8Array, made: (soup: Soup) => T): T {
   try {
     const soup = reader(name, bytes)(bytes);
     const triangles = soup.indices.length / 3;
@@ -21,11 +40,15 @@ export function readSolid(name: string, bytes: Uint8Array): Solid {
     if (!soup.positions.every(Number.isFinite)) throw new Error(say.files.number);
     const vertices = soup.positions.length / 3;
     if (soup.indices.some((vertex) => vertex >= vertices)) throw new Error(say.files.index);
-    return { id: keyOf(bytes), name: name.slice(0, 60), ...fitted(welded(soup)) };
+    return made(soup);
   } catch (error) {
-    const why = error instanceof RangeError ? say.files.cut : error instanceof Error ? error.message : String(error);
-    throw new Error(say.files.notRead(name.slice(0, 60), why));
+    throw refused(name, error);
   }
+}
+
+function refused(name: string, error: unknown): Error {
+  const why = error instanceof RangeError ? say.files.cut : error instanceof Error ? error.message : String(error);
+  return new Error(say.files.notRead(name.slice(0, 60), why));
 }
 
 /** By what the file holds, not only by what it is called. */
@@ -33,8 +56,9 @@ function reader(name: string, bytes: Uint8Array): (bytes: Uint8Array) => Soup {
   const begin = text(bytes.subarray(0, 400));
   const ending = name.toLowerCase().match(/\.(\w+)$/)?.[1];
   if (/^ply\s/.test(begin)) return readPly;
-  if (ending === "obj" || /^(#.*\s*|\s*)*v\s+[-\d]/m.test(begin)) return readObj;
-  if (ending === "stl" || /^\s*solid\s/.test(begin)) return readStl;
+  if (isNrrd(bytes)) return readNrrd;
+  if (ending === "obj" || /^v\s+[-\d]/m.test(begin)) return readObj;
+  if (ending === "stl" || /^\s*solid\s/i.test(begin)) return readStl;
   if (ending === "json" || /^\s*\{/.test(begin)) return readLevelSet;
   throw new Error(say.files.unknown);
 }
@@ -47,9 +71,11 @@ function text(bytes: Uint8Array): string {
 function welded({ positions, indices }: Soup): Soup {
   const first = new Map<string, number>();
   const kept: number[] = [];
+  const { least, extent } = box({ positions, indices });
   const to = Uint32Array.from({ length: positions.length / 3 }, (_, vertex) => {
     const point = [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]];
-    const key = point.map(Math.fround).join(" ");
+    // In single precision of the mesh's own size: far from the origin that of its coordinates would join what is apart.
+    const key = point.map((at, axis) => Math.fround((at - least[axis]) / extent)).join(" ");
     const known = first.get(key);
     if (known !== undefined) return known;
     first.set(key, kept.length / 3);
@@ -114,8 +140,8 @@ function readPly(bytes: Uint8Array): Soup {
   if (!["ascii", "binary_little_endian", "binary_big_endian"].includes(format))
     throw new Error(say.files.plyFormat(format));
   const types = elements.flatMap(({ properties }) => properties.flatMap(({ type, count }) => [type, count ?? type]));
-  if (!types.every((type) => type in TYPES) || !elements.every(({ count }) => count >= 0))
-    throw new Error(say.files.plyHeader);
+  const isSound = ({ count, properties }: Element) => count >= 0 && (count === 0 || properties.length > 0);
+  if (!types.every((type) => type in TYPES) || !elements.every(isSound)) throw new Error(say.files.plyHeader);
   // The header is plain ASCII: as many bytes as letters.
   const next = tokens(bytes.subarray(end.index + end[0].length), format);
   const positions: number[] = [];
@@ -166,7 +192,11 @@ function number(word: string): number {
 function readObj(bytes: Uint8Array): Soup {
   const positions: number[] = [];
   const indices: number[] = [];
-  for (const line of text(bytes).split(/\r?\n/)) {
+  // A backslash goes on in the next line.
+  const lines = text(bytes)
+    .replace(/\\\r?\n/g, " ")
+    .split(/\r\n?|\n/);
+  for (const line of lines) {
     const [word, ...rest] = line.trim().split(/\s+/);
     if (word === "v") positions.push(...[0, 1, 2].map((axis) => number(rest[axis] ?? "")));
     else if (word === "f") {
@@ -176,7 +206,7 @@ function readObj(bytes: Uint8Array): Soup {
           // From 1, or backwards from the last one.
           const named = number(corner.split("/")[0]);
           const vertex = named < 0 ? count + named : named - 1;
-          if (!(vertex >= 0)) throw new Error(say.files.index);
+          if (!(vertex >= 0 && Number.isInteger(vertex))) throw new Error(say.files.index);
           return vertex;
         }),
         indices,
@@ -193,12 +223,14 @@ function readStl(bytes: Uint8Array): Soup {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = bytes.length >= STL_HEADER ? view.getUint32(80, true) : 0;
   const positions: number[] = [];
-  // Binary files may begin with “solid”, too: their length tells.
-  if (bytes.length === STL_HEADER + STL_TRIANGLE * count) {
+  // Binary files may begin with “solid”, too, and end with more than their triangles: what tells is a text's own words.
+  const length = STL_HEADER + STL_TRIANGLE * count;
+  if (bytes.length === length || (count > 0 && !/facet/i.test(text(bytes.subarray(0, 4096))))) {
+    if (bytes.length < length) throw new Error(say.files.cut);
     for (let i = 0; i < count; i += 1)
       for (let k = 0; k < 9; k += 1) positions.push(view.getFloat32(STL_HEADER + STL_TRIANGLE * i + 12 + 4 * k, true));
   } else {
-    for (const [, x, y, z] of text(bytes).matchAll(/vertex\s+(\S+)\s+(\S+)\s+(\S+)/g))
+    for (const [, x, y, z] of text(bytes).matchAll(/vertex\s+(\S+)\s+(\S+)\s+(\S+)/gi))
       positions.push(number(x), number(y), number(z));
   }
   const whole = positions.length - (positions.length % 9);
@@ -220,7 +252,7 @@ function readLevelSet(bytes: Uint8Array): Soup {
   const { cells, values } = given ?? {};
   const isCells = typeof cells === "number" && Number.isInteger(cells) && cells >= 2 && cells <= MOST_CELLS;
   if (!isCells || !Array.isArray(values) || values.length !== (cells + 1) ** 3) throw new Error(say.files.json);
-  return zeroSet(
+  return zeroSetOfBox(
     cells,
     Float64Array.from(values, (value) => number(String(value))),
   );

@@ -5,7 +5,7 @@ import { Delay } from "../delay";
 import { moduleAt } from "../engine";
 import solverUrl from "../wasm-solid/thinshell_bg.wasm?url";
 import { space as say } from "../words/space";
-import { readSolid } from "./files";
+import { openSolid } from "./files";
 import { PAIRS, surface } from "./gallery";
 import { decode, encode, type Linked } from "./link";
 import { Space } from "./Space";
@@ -102,7 +102,7 @@ async function solidOf(id: string, side: Side): Promise<Solid> {
 /** A file for one side; what cannot be read is reported and changes nothing. */
 async function take(session: SpaceSession, side: Side, file: File): Promise<void> {
   try {
-    const solid = readSolid(file.name, new Uint8Array(await file.arrayBuffer()));
+    const solid = await openSolid(file.name, new Uint8Array(await file.arrayBuffer()));
     session.commit({ [side]: solid });
     if (!(await keep(solid))) session.problem.value = say.links.notKept;
   } catch (error) {

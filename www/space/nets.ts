@@ -3,18 +3,31 @@
  * one vertex in each cell that the surface passes, one quadrilateral around each edge of the grid that it crosses.
  */
 
-/** (cells + 1)³ values, x fastest, negative inside. Beyond the border is outside. */
-export function zeroSet(cells: number, values: Float64Array) {
+export type Lattice = {
+  /** Nodes along each axis. */
+  readonly sizes: readonly [number, number, number];
+  /** From node to node along each axis. */
+  readonly spacings: readonly [number, number, number];
+  /** One a node, x fastest, negative inside. */
+  readonly values: Float64Array;
+};
+
+/** Of (cells + 1)³ values in the unit box. */
+export function zeroSetOfBox(cells: number, values: Float64Array) {
+  const [size, spacing] = [cells + 1, 1 / cells];
+  return zeroSet({ sizes: [size, size, size], spacings: [spacing, spacing, spacing], values });
+}
+
+/** Beyond the border is outside. */
+export function zeroSet({ sizes: [width, height, depth], spacings, values }: Lattice) {
   // One layer more on all sides, so that the surface closes at the border.
-  const side = cells + 3;
-  const at = (x: number, y: number, z: number) => {
-    const inside = [x, y, z].every((k) => k >= 1 && k <= cells + 1);
-    return inside ? values[((z - 1) * (cells + 1) + y - 1) * (cells + 1) + x - 1] : Number.MAX_VALUE;
-  };
-  const nodes = Float64Array.from({ length: side ** 3 }, (_, k) =>
-    at(k % side, Math.floor(k / side) % side, Math.floor(k / side ** 2)),
-  );
-  const steps = [1, side, side * side];
+  const steps = [1, width + 2, (width + 2) * (height + 2)];
+  const nodes = new Float64Array(steps[2] * (depth + 2)).fill(Number.MAX_VALUE);
+  for (let z = 0; z < depth; z += 1)
+    for (let y = 0; y < height; y += 1) {
+      const row = (z * height + y) * width;
+      nodes.set(values.subarray(row, row + width), (z + 1) * steps[2] + (y + 1) * steps[1] + 1);
+    }
   const vertexOf = new Map<number, number>();
   const positions: number[] = [];
   const indices: number[] = [];
@@ -40,8 +53,8 @@ export function zeroSet(cells: number, values: Float64Array) {
         sum[v] += j;
       }
     }
-    const corner = [cell % side, Math.floor(cell / side) % side, Math.floor(cell / side ** 2)];
-    for (let axis = 0; axis < 3; axis += 1) positions.push((corner[axis] - 1 + sum[axis] / crossings) / cells);
+    const corner = [cell % steps[1], Math.floor(cell / steps[1]) % (height + 2), Math.floor(cell / steps[2])];
+    for (let axis = 0; axis < 3; axis += 1) positions.push((corner[axis] - 1 + sum[axis] / crossings) * spacings[axis]);
     vertexOf.set(cell, positions.length / 3 - 1);
     return positions.length / 3 - 1;
   };

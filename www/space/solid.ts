@@ -18,10 +18,11 @@ export type Solid = {
 /** The longest side of a mesh that has been fitted into the box. */
 const EXTENT = 0.6;
 
-/** The mesh scaled and moved into the middle of the box, with its triangles outward. Throws a sentence's part. */
-export function fitted({ positions, indices }: Pick<Solid, "positions" | "indices">) {
+type Mesh = Pick<Solid, "positions" | "indices">;
+
+/** What the triangles fill: what none of them uses is no part of the surface. */
+export function box({ positions, indices }: Mesh) {
   const [least, most] = [[1, 1, 1].map(() => Number.POSITIVE_INFINITY), [1, 1, 1].map(() => Number.NEGATIVE_INFINITY)];
-  // What no triangle uses is no part of the surface.
   for (const vertex of indices)
     for (let axis = 0; axis < 3; axis += 1) {
       const at = positions[3 * vertex + axis];
@@ -29,9 +30,16 @@ export function fitted({ positions, indices }: Pick<Solid, "positions" | "indice
       most[axis] = Math.max(most[axis], at);
     }
   const extent = Math.max(...most.map((value, axis) => value - least[axis]));
-  if (!(extent > 0 && Number.isFinite(extent))) throw new Error(say.files.flat);
-  const scale = EXTENT / extent;
-  const placed = positions.map((at, k) => 0.5 + scale * (at - (least[k % 3] + most[k % 3]) / 2));
+  if (!(extent > 0)) throw new Error(say.files.flat);
+  if (extent === Number.POSITIVE_INFINITY) throw new Error(say.files.far);
+  return { least, most, extent };
+}
+
+/** The mesh scaled and moved into the middle of the box, with its triangles outward. Throws a sentence's part. */
+export function fitted({ positions, indices }: Mesh) {
+  const { least, most, extent } = box({ positions, indices });
+  const middle = least.map((value, axis) => value + (most[axis] - value) / 2);
+  const placed = positions.map((at, k) => 0.5 + EXTENT * ((at - middle[k % 3]) / extent));
   return { positions: placed, indices: outward(placed, indices) };
 }
 

@@ -125,13 +125,16 @@ export const space = page("space", {
 
   files: {
     notRead: (name: string, why: string) => `“${name}” was not taken: it ${why}.`,
-    unknown: "is none of PLY, OBJ, STL or JSON with a level set",
+    unknown: "is none of PLY, OBJ, STL, NRRD or JSON with a level set",
     large: (limit: number) => `has more than ${limit} triangles; reduce it first, for example in MeshLab`,
     empty: "holds no triangles",
     cut: "ends too early",
     number: "has something else where a number was expected",
     index: "names a vertex that it does not have",
     flat: "has no extent",
+    far: "reaches farther than numbers do",
+    nrrd: "is no NRRD of three sizes with one number a voxel, raw, packed by gzip or as text, in one file",
+    manyVoxels: (limit: number) => `has more than ${limit} voxels; reduce it first`,
     plyFormat: (format: string) => `is a PLY of the unknown format “${format}”`,
     plyHeader: "has no PLY header that can be read",
     json: "is no JSON with “cells” (2 to 128) and “values”, one for each of the (cells + 1)³ nodes, x fastest, negative inside",

@@ -130,13 +130,16 @@ export const space: Book["space"] = {
 
   files: {
     notRead: (name, why) => `„${name}“ wurde nicht übernommen: Die Datei ${why}.`,
-    unknown: "ist weder PLY, OBJ oder STL noch JSON mit einem Abstandsfeld",
+    unknown: "ist weder PLY, OBJ, STL oder NRRD noch JSON mit einem Abstandsfeld",
     large: (limit) => `hat mehr als ${limit} Dreiecke; verkleinern Sie sie erst, zum Beispiel in MeshLab`,
     empty: "enthält keine Dreiecke",
     cut: "endet zu früh",
     number: "enthält etwas anderes, wo eine Zahl stehen sollte",
     index: "nennt eine Ecke, die es in ihr nicht gibt",
     flat: "hat keine Ausdehnung",
+    far: "reicht weiter, als Zahlen reichen",
+    nrrd: "ist kein NRRD aus drei Längen mit einer Zahl je Voxel, roh, mit gzip gepackt oder als Text, in einer Datei",
+    manyVoxels: (limit) => `hat mehr als ${limit} Voxel; verkleinern Sie sie erst`,
     plyFormat: (format) => `ist ein PLY des unbekannten Formats „${format}“`,
     plyHeader: "hat keinen lesbaren PLY-Kopf",
     json: "ist kein JSON mit „cells“ (2 bis 128) und „values“, einem für jeden der (cells + 1)³ Knoten, x am schnellsten, innen negativ",

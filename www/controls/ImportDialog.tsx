@@ -20,7 +20,7 @@ adopt(style);
 
 const SIDES: readonly Side[] = ["reference", "template"];
 
-const ACCEPTED = ".svg,.png,.jpg,.jpeg,.webp,.gif,.bmp,.json,.geojson,.csv,.txt,image/*,application/json,text/csv";
+const ACCEPTED = ".svg,.png,.jpg,.jpeg,.webp,.gif,.bmp,.json,.geojson,.csv,.tps,.txt,image/*,application/json,text/csv";
 
 /** Choose, look, adjust, take: nothing of the page changes before the last step, and one undo takes it back. */
 export function ImportDialog({ session }: { session: Session }) {

@@ -18,7 +18,7 @@ export const imports = page("imports", {
   choose: "Choose a file",
   gallery: "Gallery",
   formats:
-    "SVG or its path data, PNG, JPEG, WebP, JSON, GeoJSON, CSV, or a match saved here. You can also drop a file anywhere on the page, or paste a picture or text.",
+    "SVG or its path data, PNG, JPEG, WebP, JSON, GeoJSON, TPS, CSV, or a match saved here. You can also drop a file anywhere on the page, or paste a picture or text.",
   paste: "Paste text here",
   pasteName: "SVG, path data, JSON or CSV text",
   savedMatch: (grid: string) => `A saved match on the ${grid} grid, with its shapes and settings.`,

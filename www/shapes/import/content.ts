@@ -13,6 +13,7 @@ export type Offer = {
   readonly choices: readonly Offered[];
   readonly notes: readonly string[];
   readonly picture: Omit<Picture, "ink"> | null;
+  readonly firstIsAll: boolean;
 };
 
 export type Selection = Wishes & {
@@ -44,9 +45,10 @@ export class Content {
     this.choices = found.kind === "shapes" ? found.choices : [];
     this.picture = found.kind === "picture" ? found.picture : null;
     this.offer = {
-      choices: this.choices.map(({ name, placed, mainPart, smoothing }) => ({ name, placed, mainPart, smoothing })),
+      choices: this.choices.map(({ loops: _, ...choice }) => choice),
       notes: found.notes,
       picture: this.picture && withoutInk(this.picture),
+      firstIsAll: found.kind === "shapes" && found.firstIsAll === true,
     };
   }
 

@@ -1,54 +1,93 @@
 /**
  * Points as a table: x and y on each line, separated by commas, semicolons, tabs or spaces. The first line may name
- * the columns; then those called x and y count, and one called loop tells the loops apart. Else a blank line does.
+ * the columns; then those called x and y count. One called loop tells the loops apart, else a blank line does; one called
+ * shape tells shapes apart; a line with something in one called landmark is no point of the outline.
  */
 
-import type { Loop } from "../geometry";
-import { type Found, ImportError } from "./found";
+import { type Choice, type Found, ImportError } from "./found";
 import { shapeFromLoops } from "./loops";
 
-type Columns = { readonly x: number; readonly y: number; readonly loop: number | null };
+type Named = "loop" | "shape" | "landmark";
+type Columns = { readonly x: number; readonly y: number } & { readonly [name in Named]?: number };
+
+/** What the lines of one shape have told so far. */
+type Told = { readonly name: string; readonly loops: number[][]; readonly landmarks: number[]; loop: string | null };
 
 export function readCsv(text: string): Found {
   const lines = text.replace(/^\uFEFF/, "").split(/\r\n|\n|\r/);
   // In tables separated by semicolons the comma may be the decimal one.
   const semicolons = lines.some((line) => line.includes(";"));
-  let columns: Columns = { x: 0, y: 1, loop: null };
+  let columns: Columns = { x: 0, y: 1 };
   let begun = false;
-  const loops: number[][] = [[]];
-  let name: string | null = null;
-  lines.forEach((line, index) => {
+  const shapes = new Map<string, Told>();
+  let last: Told | undefined;
+  for (const [index, line] of lines.entries()) {
     const trimmed = line.trim();
-    if (trimmed.startsWith("#")) return;
+    if (trimmed.startsWith("#")) continue;
     if (trimmed === "" || /^[,;\s]+$/.test(trimmed)) {
-      if (loops[loops.length - 1].length > 0) loops.push([]);
-      return;
+      if (last) endLoop(last);
+      continue;
     }
-    const words = semicolons
-      ? trimmed.split(/\s*;\s*/).map((word) => word.replace(",", "."))
-      : trimmed.split(/\s*,\s*|\s+/);
+    const words = wordsOf(trimmed, semicolons);
     if (!begun && words.some((word) => Number.isNaN(Number(unquoted(word))))) {
       columns = columnsFrom(words.map(unquoted), index);
       begun = true;
-      return;
+      continue;
     }
     begun = true;
-    const loop = columns.loop === null ? null : unquoted(words[columns.loop] ?? "");
-    if (loop !== name && loops[loops.length - 1].length > 0) loops.push([]);
-    name = loop;
-    loops[loops.length - 1].push(number(words, columns.x, index), number(words, columns.y, index));
-  });
-  const closed = loops.filter((loop) => loop.length > 0);
-  if (closed.length === 0) throw new ImportError("The table holds no points; each line needs an x and a y.");
-  const shape = closed.map((loop): Loop => Float64Array.from(loop));
-  return { kind: "shapes", choices: [shapeFromLoops("Points", shape)], notes: [] };
+    const value = (column: Named) => {
+      const at = columns[column];
+      return at === undefined ? null : unquoted(words[at] ?? "");
+    };
+    const name = value("shape") ?? "Points";
+    last = shapes.get(name) ?? { name, loops: [[]], landmarks: [], loop: null };
+    shapes.set(name, last);
+    const point = [number(words, columns.x, index), number(words, columns.y, index)];
+    if (value("landmark")) {
+      last.landmarks.push(...point);
+      continue;
+    }
+    const loop = value("loop");
+    if (loop !== last.loop) endLoop(last);
+    last.loop = loop;
+    last.loops[last.loops.length - 1].push(...point);
+  }
+  if (shapes.size === 0) throw new ImportError("The table holds no points; each line needs an x and a y.");
+  return { kind: "shapes", choices: [...shapes.values()].map(choice), notes: [] };
 }
 
+function choice({ name, loops, landmarks }: Told): Choice {
+  const closed = loops.filter((loop) => loop.length > 0).map((loop) => Float64Array.from(loop));
+  const shape = shapeFromLoops(name, closed);
+  if (landmarks.length === 0) return shape;
+  return { ...shape, marks: { landmarks: Float64Array.from(landmarks), image: null, scale: null } };
+}
+
+function endLoop({ loops }: Told): void {
+  if (loops[loops.length - 1].length > 0) loops.push([]);
+}
+
+function wordsOf(line: string, semicolons: boolean): string[] {
+  if (semicolons) return line.split(/\s*;\s*/).map((word) => word.replace(",", "."));
+  // A comma or a space within quotes belongs to a name.
+  if (line.includes('"') && line.includes(","))
+    return Array.from(line.matchAll(FIELD), ([, word]) => word.trim()).slice(0, -1);
+  return line.split(/\s*,\s*|\s+/);
+}
+
+/** What stands before a comma or the end; there once more, empty. */
+const FIELD = /((?:[^",]|"[^"]*"?)*)(?:,|$)/g;
+
 function columnsFrom(names: readonly string[], index: number): Columns {
-  const find = (name: string) => names.findIndex((candidate) => candidate.toLowerCase() === name);
-  const [x, y, loop] = [find("x"), find("y"), find("loop")];
-  if (x >= 0 && y >= 0) return { x, y, loop: loop >= 0 ? loop : null };
-  if (names.length === 2) return { x: 0, y: 1, loop: null };
+  const find = (name: string) => {
+    const at = names.findIndex((candidate) => candidate.toLowerCase() === name);
+    return at >= 0 ? at : undefined;
+  };
+  const [x, y] = [find("x"), find("y")];
+  if (x !== undefined && y !== undefined) {
+    return { x, y, loop: find("loop"), shape: find("shape"), landmark: find("landmark") };
+  }
+  if (names.length === 2) return { x: 0, y: 1 };
   throw new ImportError(`Line ${index + 1} names ${names.length} columns; call the two to be used x and y.`);
 }
 
@@ -64,5 +103,8 @@ function number(words: readonly string[], column: number, index: number): number
 }
 
 function unquoted(word: string): string {
-  return word.replace(/^"(.*)"$/, "$1").trim();
+  return word
+    .replace(/^"(.*)"$/, "$1")
+    .replaceAll('""', '"')
+    .trim();
 }

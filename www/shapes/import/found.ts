@@ -2,6 +2,15 @@
 
 import type { Shape } from "../geometry";
 
+/** What a file of morphometrics says beside the outline, in the same units. */
+export type Marks = {
+  /** x y x y …; NaN twice where one is missing. */
+  readonly landmarks: Float64Array;
+  readonly image: string | null;
+  /** Lengths of the file times this are true ones; null where it does not say. */
+  readonly scale: number | null;
+};
+
 /** One shape of a file. Loops are y up, bodies counter-clockwise and holes clockwise, in units of the file's own. */
 export type Choice = {
   readonly name: string;
@@ -12,6 +21,7 @@ export type Choice = {
   readonly mainPart: boolean;
   /** Details up to about this many cells of the grid are better rounded off: coasts have them at any scale. */
   readonly smoothing: number;
+  readonly marks?: Marks;
 };
 
 /** A picture made small, without colour. */
@@ -30,6 +40,8 @@ export type FoundShapes = {
   readonly kind: "shapes";
   readonly choices: readonly Choice[];
   readonly notes: readonly string[];
+  /** The choices after the first are no shapes by themselves: parts of it, or what it was matched with. */
+  readonly firstIsAll?: boolean;
 };
 
 export type Found =

@@ -3,19 +3,21 @@
 import { readCsv } from "./csv";
 import { type Found, ImportError } from "./found";
 import { readJson } from "./json";
+import { readTpsShapes } from "./tps";
 
 /** How far into a text its kind shows. */
 const HEAD = 400;
 
-/** Throws an `ImportError` for whatever is neither of JSON, GeoJSON and CSV. */
+/** Throws an `ImportError` for whatever is none of JSON, GeoJSON, TPS and CSV. */
 export function readText(text: string): Found {
   const start = text.replace(/^\uFEFF/, "").trimStart();
   if (start === "") throw new ImportError("The text is empty.");
   if (/^[{[]/.test(start)) return readJson(start);
+  if (/^LM3?\s*=/i.test(start)) return readTpsShapes(start);
   const [line] = start.slice(0, HEAD).split("\n", 1);
   const named = /\bx\b/i.test(line) && /\by\b/i.test(line);
   if (/^[#"\s]*[-+\d.]/.test(start.slice(0, HEAD)) || named) return readCsv(start);
   throw new ImportError(
-    "This is none of SVG, PNG, JPEG, WebP, JSON, GeoJSON and CSV; choose a drawing, a picture or a list of points.",
+    "This is none of SVG, PNG, JPEG, WebP, JSON, GeoJSON, TPS and CSV; choose a drawing, a picture or a list of points.",
   );
 }

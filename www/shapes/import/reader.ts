@@ -7,6 +7,7 @@ import type { Offer, Outcome, Selection } from "./content";
 import { type FoundShapes, ImportError } from "./found";
 import type { ReaderReply, ReaderRequest } from "./import.worker";
 import ImportWorker from "./import.worker?worker&inline";
+import { kindOf, textIn } from "./kind";
 import { drawingMeanwhile } from "./svgDrawing";
 
 export type Read =
@@ -17,27 +18,6 @@ export type Read =
 /** Larger files than these are no outlines. */
 const MOST_TEXT = 40e6;
 const MOST_PICTURE = 400e6;
-
-type Kind = "picture" | "text" | { readonly refusal: string };
-
-const PICTURES: readonly (readonly [number, string])[] = [
-  [0, "\x89PNG\r\n\x1a\n"],
-  [0, "\xff\xd8\xff"],
-  [8, "WEBP"],
-  [0, "GIF8"],
-  [0, "BM"],
-  [4, "ftypavif"],
-];
-
-const REFUSED: readonly (readonly [string, string])[] = [
-  ["%PDF", "This is a PDF; export the drawing as SVG, or the page as PNG."],
-  ["PK\x03\x04", "This is an archive or an office document; take the picture or the drawing out of it."],
-  ["\x1f\x8b", "This is a compressed file; unpack it first (an .svgz becomes an .svg)."],
-  ["%!PS", "This is PostScript; export the drawing as SVG."],
-  ["II*\0", "This is a TIFF picture, which browsers do not read; save it as PNG."],
-  ["MM\0*", "This is a TIFF picture, which browsers do not read; save it as PNG."],
-  ["8BPS", "This is a Photoshop file; export it as PNG."],
-];
 
 const NO_WORKER =
   "The import could not be started or ran out of memory, because the browser ended the page's worker. Close other pages or take a smaller file; let the page's security policy allow “worker-src blob:”.";
@@ -157,26 +137,6 @@ async function requestFor(input: Blob | string | FoundShapes, signal: AbortSigna
 }
 
 async function requestForText(text: string, signal: AbortSignal): Promise<ReaderRequest> {
-  const given = text.replace(/^\uFEFF/, "").trimStart();
-  const start = isPathData(given) ? `<svg xmlns="http://www.w3.org/2000/svg"><path d="${given}"/></svg>` : given;
-  if (!start.startsWith("<")) return { kind: "text", text: start };
-  if (/<svg[\s>]/i.test(start) && !/^<(!doctype\s+)?html/i.test(start)) {
-    return { kind: "drawing", drawing: await drawingMeanwhile(start, signal) };
-  }
-  throw new ImportError("This is a web page or other markup, not a drawing; import the SVG itself.");
-}
-
-/** What drawing programs copy as the `d` of a path: it begins with a move and holds nothing but commands and numbers. */
-export function isPathData(text: string): boolean {
-  return /^[Mm][\s,]*[-+.\d][\d\s.,eE+\-MmLlHhVvCcSsQqTtAaZz]*$/.test(text);
-}
-
-function kindOf(head: string): Kind {
-  if (PICTURES.some(([at, magic]) => head.startsWith(magic, at))) return "picture";
-  const refused = REFUSED.find(([magic]) => head.startsWith(magic));
-  if (refused) return { refusal: refused[1] };
-  if (head.includes("\0")) {
-    return { refusal: "This is a binary file of an unknown kind; choose an SVG, a picture, JSON or CSV." };
-  }
-  return "text";
+  const { kind, text: given } = textIn(text);
+  return kind === "text" ? { kind, text: given } : { kind, drawing: await drawingMeanwhile(given, signal) };
 }

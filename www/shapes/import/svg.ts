@@ -73,7 +73,8 @@ function choices(all: readonly Figure[], notes: Set<string>, report: (done: numb
           .map(({ figure, loops }) => choice(figure.name, united([{ loops, rule: figure.rule }])))
           .filter(({ loops }) => loops.length > 0)
       : [];
-  return { kind: "shapes", choices: single.length > 1 ? [everything, ...single] : [everything], notes: [...notes] };
+  const some = single.length > 1 ? [everything, ...single] : [everything];
+  return { kind: "shapes", choices: some, notes: [...notes], firstIsAll: true };
 }
 
 const SIDES: Record<string, string> = { reference: "Reference", template: "Template", matched: "Matched reference" };
@@ -95,7 +96,7 @@ function ownChoices(figures: readonly Figure[]): FoundShapes {
   );
   const some = found.filter(({ loops }) => loops.length > 0);
   if (some.length === 0) throw new ImportError("This drawing of a match holds no shape; save it again.");
-  return { kind: "shapes", choices: some, notes: [] };
+  return { kind: "shapes", choices: some, notes: [], firstIsAll: true };
 }
 
 /** What each figure encloses: all its subpaths when it is filled, the closed ones when it is only outlined. */

@@ -17,7 +17,8 @@ function refusals(): string[] {
 
 /** Of the readers: whatever is written there as a sentence. */
 function sentences(): string[] {
-  const files = readdirSync(IMPORT).filter((name) => name.endsWith(".ts") && !name.endsWith(".test.ts"));
+  const names = [...readdirSync(IMPORT), "../../morphometrics/tps.ts"];
+  const files = names.filter((name) => name.endsWith(".ts") && !name.endsWith(".test.ts"));
   return files.flatMap((name) => {
     const source = readFileSync(new URL(name, IMPORT), "utf8").replace(/\/\*[\s\S]*?\*\/|^\s*\/\/.*$/gm, "");
     const texts = source.matchAll(/"([^"\n]*)"|`((?:[^`\\]|\\.)*)`/g);

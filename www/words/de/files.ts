@@ -76,7 +76,7 @@ export const imports: Book["imports"] = {
   choose: "Datei wählen",
   gallery: "Galerie",
   formats:
-    "SVG oder dessen Pfaddaten, PNG, JPEG, WebP, JSON, GeoJSON, CSV oder ein hier gespeicherter Abgleich. Sie können eine Datei auch irgendwo auf der Seite ablegen oder ein Bild oder einen Text einfügen.",
+    "SVG oder dessen Pfaddaten, PNG, JPEG, WebP, JSON, GeoJSON, TPS, CSV oder ein hier gespeicherter Abgleich. Sie können eine Datei auch irgendwo auf der Seite ablegen oder ein Bild oder einen Text einfügen.",
   paste: "Text hier einfügen",
   pasteName: "Text in SVG, Pfaddaten, JSON oder CSV",
   savedMatch: (grid) => `Ein gespeicherter Abgleich auf dem Gitter ${grid}, mit seinen Formen und Einstellungen.`,

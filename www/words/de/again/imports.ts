@@ -9,6 +9,7 @@ export const imports: Patterns = {
   Points: "Punkte",
   Picture: "Bild",
   "Shape {number}": "Form {number}",
+  "Specimen {number}": "Exemplar {number}",
   "Feature {number}": "Gebiet {number}",
 
   "This is a PDF; export the drawing as SVG, or the page as PNG.":
@@ -34,8 +35,8 @@ export const imports: Patterns = {
   "This is a web page or other markup, not a drawing; import the SVG itself.":
     "Das ist eine Webseite oder anderes Markup, keine Zeichnung; importieren Sie das SVG selbst.",
   "The text is empty.": "Der Text ist leer.",
-  "This is none of SVG, PNG, JPEG, WebP, JSON, GeoJSON and CSV; choose a drawing, a picture or a list of points.":
-    "Das ist weder SVG, PNG, JPEG oder WebP noch JSON, GeoJSON oder CSV; wählen Sie eine Zeichnung, ein Bild oder eine Punktliste.",
+  "This is none of SVG, PNG, JPEG, WebP, JSON, GeoJSON, TPS and CSV; choose a drawing, a picture or a list of points.":
+    "Das ist weder SVG, PNG, JPEG oder WebP noch JSON, GeoJSON, TPS oder CSV; wählen Sie eine Zeichnung, ein Bild oder eine Punktliste.",
 
   "The picture cannot be decoded ({why}); it may be damaged or too large. Save it again as PNG, or make it smaller.":
     "Das Bild lässt sich nicht entschlüsseln ({why}); vielleicht ist es beschädigt oder zu groß. Speichern Sie es noch einmal als PNG, oder verkleinern Sie es.",
@@ -98,6 +99,24 @@ export const imports: Patterns = {
 
   "The table holds no points; each line needs an x and a y.":
     "Die Tabelle enthält keine Punkte; jede Zeile braucht ein x und ein y.",
+  "Without curves the landmarks themselves, in their order, are the outline.":
+    "Ohne Kurven sind die Landmarken selbst, in ihrer Reihenfolge, der Umriss.",
+  "{name} has no outline: no curve, and of its {all} landmarks {there} are there (negative coordinates mean a missing point).":
+    "{name} hat keinen Umriss: keine Kurve, und von {all} Landmarken sind {there} da (negative Koordinaten bedeuten einen fehlenden Punkt).",
+  "Line {line}: landmarks in space are not read, only LM=.":
+    "Zeile {line}: Landmarken im Raum werden nicht gelesen, nur LM=.",
+  "Line {line}: a specimen begins with LM=, not with {key}=.":
+    "Zeile {line}: Ein Exemplar beginnt mit LM=, nicht mit {key}=.",
+  "The TPS file holds no specimen.": "Die TPS-Datei enthält kein Exemplar.",
+  "Line {line}: “{shown}” is neither announced by a count nor named.":
+    "Zeile {line}: „{shown}“ ist weder durch eine Anzahl angekündigt noch benannt.",
+  "Line {line}: “{shown}” is not the two numbers of a point.":
+    "Zeile {line}: „{shown}“ sind nicht die zwei Zahlen eines Punktes.",
+  "Line {line} ({shown}) announces {count} points, and {there} follow.":
+    "Zeile {line} ({shown}) kündigt {count} Punkte an, und {there} folgen.",
+  "Line {line}: “{shown}” gives no count.": "Zeile {line}: „{shown}“ nennt keine Anzahl.",
+  "Line {line}: “{shown}” is no scale; it is empty, or a number above 0.":
+    "Zeile {line}: „{shown}“ ist kein Maßstab; er ist leer oder eine Zahl über 0.",
   "Line {line} names {count} columns; call the two to be used x and y.":
     "Zeile {line} nennt {count} Spalten; nennen Sie die beiden gemeinten x und y.",
   "Line {line} has only one number; each line needs an x and a y.":

@@ -32,5 +32,5 @@ export default defineConfig({
   // Neither watch what cargo builds nor look for pages in it.
   server: { watch: { ignored: ["**/target/**"] } },
   optimizeDeps: { entries: ["index.html", "experiments.html", "benches/page/index.html"] },
-  test: { include: ["www/**/*.test.{ts,tsx}", "scripts/**/*.test.mjs"] },
+  test: { include: ["www/**/*.test.{ts,tsx}", "command/**/*.test.ts", "scripts/**/*.test.mjs"] },
 });

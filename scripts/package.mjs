@@ -4,7 +4,7 @@
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { crates, STANDARD_LIBRARY, textOf } from "./lib/licences.mjs";
+import { crates, packages, STANDARD_LIBRARY, textOf } from "./lib/licences.mjs";
 import { main, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
 import { buildSolidWasm, buildWasm } from "./wasm.mjs";
@@ -18,6 +18,9 @@ const MODULES = [
 ];
 
 const FILES = ["thinshell.js", "thinshell.d.ts", "thinshell_bg.wasm", "settings.js", "settings.d.ts"];
+
+/** What the command line carries. */
+const CARRIED = ["clipper2-ts", "linkedom", "svgpath"];
 
 const NODE = `import { readFileSync } from "node:fs";
 import initialize, { initSync } from "./thinshell.js";
@@ -41,7 +44,36 @@ export async function assemble() {
     writeFileSync(types, `/// <reference lib="esnext.disposable" />\n${readFileSync(types, "utf8")}`);
     writeFileSync(join(OUT, to, "node.js"), NODE);
   }
-  writeFileSync(join(OUT, "licences.txt"), textOf([...crates(), STANDARD_LIBRARY]));
+  await bundleCommand();
+  writeFileSync(join(OUT, "licences.txt"), textOf([...packages(CARRIED), ...crates(), STANDARD_LIBRARY]));
+}
+
+/** The command line as one file beside the solver. */
+export async function bundleCommand() {
+  // Not above: on a fresh clone there is no Vite before the packages are there.
+  const { build } = await import("vite");
+  /** @type {import("vite").Plugin} */
+  const solver = {
+    name: "thinshell-package",
+    enforce: "pre",
+    resolveId: (source) => (source.endsWith("/wasm/thinshell.js") ? { id: "./node.js", external: true } : null),
+  };
+  await build({
+    root,
+    configFile: false,
+    logLevel: "warn",
+    plugins: [solver],
+    ssr: { noExternal: true },
+    build: {
+      ssr: "command/main.ts",
+      outDir: OUT,
+      emptyOutDir: false,
+      copyPublicDir: false,
+      target: "node20",
+      minify: true,
+      rolldownOptions: { output: { entryFileNames: "command.js", banner: "#!/usr/bin/env node" } },
+    },
+  });
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href)

@@ -1,14 +1,25 @@
 // `npm test -- package`: what `npm pack` makes, installed in empty folders and used as README.md says: in Node, in a page,
 // in a worker, and with Vite, built and while developing. The examples that run are the README's own.
 
-import { spawnSync } from "node:child_process";
-import { createReadStream, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
+import {
+  copyFileSync,
+  createReadStream,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
 import { createServer } from "node:http";
 import { dirname, extname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromiumFlags, ensureChromium } from "./lib/chromium.mjs";
 import { freePort } from "./lib/drivers.mjs";
 import { heading, main, Obstacle, root } from "./lib/process.mjs";
+import { readland } from "./lib/readland.mjs";
 
 const TRIED = join(root, "target", "package");
 const PATIENCE_MILLIS = 120_000;
@@ -29,6 +40,56 @@ const CHECKS = [
     async ({ folder }) => {
       write(folder, "solid.mjs", example("solid.mjs"));
       solid(program(folder, process.execPath, ["solid.mjs"]));
+    },
+  ],
+  [
+    "the command line matches 20 silhouettes of the gallery, whatever lies among them",
+    async ({ folder }) => {
+      const { version } = JSON.parse(read(root, "package.json"));
+      expect(program(folder, "npx", ["--offline", "thinshell", "--version"]).trim() === version, "it is not there");
+      silhouettes(folder);
+      write(folder, "targets/broken.svg", "<svg><path d='M0 0");
+      const { status, stdout } = thinshell(folder, ["--outline", "--points", "60"]);
+      expect(status === 1, `the end's code is ${status}, though a file could not be read`);
+      expect(stdout.includes("20 of 21 matched"), `not all are matched:\n${stdout}`);
+      expect(/^broken\.svg .*The SVG is broken/m.test(stdout), `nothing tells of the broken file:\n${stdout}`);
+      const lines = read(folder, "matches/table.csv").trim().split("\n");
+      expect(lines.length === 22, `the table has ${lines.length} lines`);
+      const distances = lines.slice(1).map((line) => Number(line.split(",")[4]));
+      expect(distances.filter((each) => each > 0.01 && each < 1).length === 20, `the distances are ${distances}`);
+      const specimens = readland(read(folder, "matches/semilandmarks.tps"));
+      expect(specimens.length === 21, `there are semilandmarks of ${specimens.length} shapes`);
+      expect(
+        specimens.every(({ points }) => points.length === 60),
+        "these are not 60 points each",
+      );
+      const files = readdirSync(join(folder, "matches")).filter((name) => name.endsWith(".json"));
+      expect(files.length === 20, `${files.length} matches are written`);
+      const { format, match } = JSON.parse(read(folder, "matches/anchor.json"));
+      expect(format === "thinshell" && match.report.finished, "the match of the anchor is no file of the page");
+    },
+  ],
+  [
+    "Ctrl-C ends the command line, and what is finished is kept",
+    async ({ folder }) => {
+      silhouettes(folder);
+      rmSync(join(folder, "matches"), { recursive: true, force: true });
+      const running = spawn(process.execPath, [COMMAND, ...MATCH], { cwd: folder });
+      let printed = "";
+      running.stdout.on("data", (text) => {
+        printed += text;
+      });
+      running.stderr.on("data", (text) => {
+        // The third line tells that two are done, and the next is under way.
+        if (String(text).includes("2/")) running.kill("SIGINT");
+      });
+      const [code] = await once(running, "close");
+      expect(code === 130, `the end's code is ${code}`);
+      expect(/(\d+) of \1 matched, then cancelled/.test(printed), `nothing tells what was finished:\n${printed}`);
+      const lines = read(folder, "matches/table.csv").trim().split("\n").length - 1;
+      expect(lines >= 2 && lines < 20, `the table has ${lines} matches`);
+      const files = readdirSync(join(folder, "matches")).filter((name) => name.endsWith(".json"));
+      expect(files.length === lines, `${files.length} matches are written, ${lines} are in the table`);
     },
   ],
   [
@@ -95,6 +156,31 @@ export async function tryPackage() {
     await browser.close();
   }
   return count;
+}
+
+const COMMAND = join("node_modules", "thinshell", "lib", "command.js");
+const MATCH = ["match", "heart.svg", "targets", "--set", "finest=5"];
+
+/** @param {string} folder @param {readonly string[]} options */
+function thinshell(folder, options) {
+  return spawnSync(process.execPath, [COMMAND, ...MATCH, ...options], { cwd: folder, encoding: "utf8" });
+}
+
+/** The first twenty of the gallery as files, and its heart. @param {string} folder */
+function silhouettes(folder) {
+  rmSync(join(folder, "targets"), { recursive: true, force: true });
+  mkdirSync(join(folder, "targets"), { recursive: true });
+  const gallery = readFileSync(join(root, "www", "gallery", "icons.ts"), "utf8");
+  const names = gallery.match(/\{(\w[\w,-]+)\}-fill\.svg/)?.[1]?.split(",") ?? [];
+  const icon = (/** @type {string} */ name) =>
+    join(root, "node_modules", "@phosphor-icons", "core", "assets", "fill", `${name}-fill.svg`);
+  for (const name of names.slice(0, 20)) copyFileSync(icon(name), join(folder, "targets", `${name}.svg`));
+  copyFileSync(icon("heart"), join(folder, "heart.svg"));
+}
+
+/** @param {string} folder @param {string} name */
+function read(folder, name) {
+  return readFileSync(join(folder, name), "utf8");
 }
 
 const TYPED = `import init, { Registration, type Settings, type Shape, type Status } from "thinshell";
@@ -267,7 +353,7 @@ function write(folder, name, text) {
  * @param {readonly string[]} args
  */
 function program(folder, command, args) {
-  const shell = process.platform === "win32" && command === "npm";
+  const shell = process.platform === "win32" && /^np[mx]$/.test(command);
   const { status, stdout, stderr } = spawnSync(command, args, { cwd: folder, encoding: "utf8", shell });
   if (status !== 0) throw new Error(`\`${[command, ...args].join(" ")}\` failed:\n${stdout}${stderr}`);
   return stdout;

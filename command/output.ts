@@ -21,14 +21,15 @@ export class Output {
     mkdirSync(folder, { recursive: true });
   }
 
-  match({ name, target }: Row, match: Matched): void {
+  match(row: Row, match: Matched): void {
+    const { name, target } = row;
     if (!target) return;
     const { reference, settings } = this.plan;
     const { status, deformation, curves, pins } = match;
     const record = { reference: reference.shape, template: target.shape, pins, settings };
     const stem = this.fileName(safe(name));
     this.write(`${stem}.json`, encodeRecord({ ...record, match: { status, deformation, curves } }));
-    if (this.strains) this.write(`${stem}-strains.csv`, strainsCsv(this.plan, match));
+    if (this.strains) this.write(`${stem}-strains.csv`, strainsCsv(this.plan, [row]));
   }
 
   /** Of what there is by now. */

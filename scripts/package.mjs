@@ -4,7 +4,7 @@
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { crates, packages, STANDARD_LIBRARY, textOf } from "./lib/licences.mjs";
+import { bundledIn, crates, packages, STANDARD_LIBRARY, textOf } from "./lib/licences.mjs";
 import { main, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
 import { buildSolidWasm, buildWasm } from "./wasm.mjs";
@@ -20,7 +20,7 @@ const MODULES = [
 const FILES = ["thinshell.js", "thinshell.d.ts", "thinshell_bg.wasm", "settings.js", "settings.d.ts"];
 
 /** What the command line carries. */
-const CARRIED = ["clipper2-ts", "linkedom", "svgpath"];
+const CARRIED = ["@preact/signals", "clipper2-ts", "linkedom", "preact", "svgpath"];
 
 const NODE = `import { readFileSync } from "node:fs";
 import initialize, { initSync } from "./thinshell.js";
@@ -57,6 +57,12 @@ export async function bundleCommand() {
     name: "thinshell-package",
     enforce: "pre",
     resolveId: (source) => (source.endsWith("/wasm/thinshell.js") ? { id: "./node.js", external: true } : null),
+    generateBundle(_, bundle) {
+      const known = packages(CARRIED).map(({ name }) => name);
+      const missing = bundledIn(bundle).filter((name) => !known.includes(name));
+      if (missing.length > 0)
+        this.error(`the command would carry ${missing.join(", ")} without a licence: name it here.`);
+    },
   };
   await build({
     root,

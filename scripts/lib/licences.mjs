@@ -160,6 +160,22 @@ function escaped(text) {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 }
 
+/** @typedef {Record<string, { type: string, moduleIds?: string[] }>} Bundle */
+
+/**
+ * The packages that have code in the bundle.
+ *
+ * @param {Bundle} bundle
+ * @returns {string[]}
+ */
+export function bundledIn(bundle) {
+  const names = Object.values(bundle)
+    .flatMap(({ moduleIds = [] }) => moduleIds)
+    .filter((id) => !id.startsWith("\0"))
+    .map((id) => id.match(/^.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/)?.[1]);
+  return [...new Set(names.filter((name) => name !== undefined))];
+}
+
 /**
  * Vite plugins: the page's writes `licences.html`, and refuses to build when a package is bundled that is not in it. The
  * workers are bundled by themselves; theirs only looks.
@@ -169,14 +185,9 @@ function escaped(text) {
 export function licences() {
   /** @type {Set<string>} */
   const bundled = new Set();
-  /** @type {(bundle: Record<string, { type: string, moduleIds?: string[] }>) => void} */
+  /** @param {Bundle} bundle */
   const look = (bundle) => {
-    for (const { moduleIds = [] } of Object.values(bundle)) {
-      for (const id of moduleIds) {
-        const name = id.match(/^.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/)?.[1];
-        if (name !== undefined && !id.startsWith("\0")) bundled.add(name);
-      }
-    }
+    for (const name of bundledIn(bundle)) bundled.add(name);
   };
   return {
     page: {

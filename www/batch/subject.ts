@@ -4,6 +4,7 @@ import type { Similarity } from "../shapes/geometry";
 import type { Offered } from "../shapes/import/content";
 import type { Prepared } from "../shapes/import/fit";
 import { isInBox, MOST_PINS, type Shapes } from "../shapes/pins";
+import { batch as say } from "../words/batch";
 
 export type Subject = {
   readonly name: string;
@@ -42,14 +43,11 @@ export function own(points: Float64Array, { a, b, x, y }: Similarity): Float64Ar
 export function tied(reference: Subject, target: Subject): Pick<Shapes, "pins"> & { readonly note: string | null } {
   const [p, q] = [reference.landmarks, target.landmarks];
   if (p.length === 0 || q.length === 0) return { pins: [], note: null };
-  if (p.length !== q.length) {
-    const note = `Landmarks are not tied: the reference has ${p.length / 2}, this shape ${q.length / 2}.`;
-    return { pins: [], note };
-  }
+  if (p.length !== q.length) return { pins: [], note: say.unlike(p.length / 2, q.length / 2) };
   const pins = Array.from({ length: p.length / 2 }, (_, i) => ({
     reference: { x: p[2 * i], y: p[2 * i + 1] },
     template: { x: q[2 * i], y: q[2 * i + 1] },
   })).filter((pin) => [pin.reference, pin.template].every(({ x, y }) => isInBox(x) && isInBox(y)));
-  const note = pins.length > MOST_PINS ? `Of ${pins.length} landmarks the first ${MOST_PINS} are tied.` : null;
+  const note = pins.length > MOST_PINS ? say.firstLandmarks(pins.length, MOST_PINS) : null;
   return { pins: pins.slice(0, MOST_PINS), note };
 }

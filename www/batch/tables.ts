@@ -68,19 +68,31 @@ export function semilandmarksCsv(plan: Plan, rows: readonly Row[]): string {
 }
 
 /**
- * Strains of one match, a line a cell: its middle in the reference's units, whether that lies inside the reference, the
+ * Strains, a line a cell of each match: its middle in the reference's units, whether that lies inside the reference, the
  * principal strains, the direction of the first in degrees, and the expansion. Both shapes at one centroid size.
  */
-export function strainsCsv({ reference }: Plan, match: Matched): string {
-  const { cells, first, second, angle, expansion } = strained(match);
-  const lines: Value[][] = [["x", "y", "inside", "strain_1", "strain_2", "direction_1", "expansion"]];
-  for (let at = 0; at < cells * cells; at += 1) {
-    const [x, y] = [((at % cells) + 0.5) / cells, (Math.floor(at / cells) + 0.5) / cells];
-    const inside = contains(reference.shape, { x, y }) ? 1 : 0;
-    const degrees = (angle[at] * 180) / Math.PI;
-    lines.push([...own(Float64Array.of(x, y), reference.box), inside, first[at], second[at], degrees, expansion[at]]);
+export function strainsCsv({ reference }: Plan, rows: readonly Row[]): string {
+  const lines: Value[][] = [["shape", "x", "y", "inside", "strain_1", "strain_2", "direction_1", "expansion"]];
+  const places = new Map<number, readonly (readonly [number, number, number])[]>();
+  for (const { name, match } of rows) {
+    if (!match) continue;
+    const { cells, first, second, angle, expansion } = strained(match);
+    const middles = places.get(cells) ?? placesOf(reference, cells);
+    places.set(cells, middles);
+    middles.forEach((place, at) => {
+      lines.push([name, ...place, first[at], second[at], (angle[at] * 180) / Math.PI, expansion[at]]);
+    });
   }
   return csv(lines);
+}
+
+/** The middle of each cell in the reference's units, and 1 where it lies inside it, else 0. */
+function placesOf({ shape, box }: Subject, cells: number): (readonly [number, number, number])[] {
+  return Array.from({ length: cells * cells }, (_, at) => {
+    const middle = { x: ((at % cells) + 0.5) / cells, y: (Math.floor(at / cells) + 0.5) / cells };
+    const [x, y] = own(Float64Array.of(middle.x, middle.y), box);
+    return [x, y, contains(shape, middle) ? 1 : 0];
+  });
 }
 
 /** The reference's own centroid size, in true units where its file gives a scale. */

@@ -1,15 +1,20 @@
 import { useSignal, useSignalEffect } from "@preact/signals";
+import type { ComponentProps, FunctionComponent } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { type Subject, subjectOf, tied } from "../batch/subject";
 import { decodeRecord, type MatchRecord } from "../record";
 import type { Session, Side } from "../session";
 import type { Outcome } from "../shapes/import/content";
 import type { FoundShapes } from "../shapes/import/found";
 import { type Read, Reader } from "../shapes/import/reader";
+import { batch } from "../words/batch";
 import { en } from "../words/en";
 import { imports as say } from "../words/imports";
 import { later } from "../words/later";
 import { gridName } from "../words/said";
 import { adopt } from "./adopt";
+import type { Batch } from "./Batch";
+import { fetched } from "./fetched";
 import { Gallery } from "./Gallery";
 import { ImportOptions, ImportPreview } from "./ImportPreview";
 import style from "./import.css?inline";
@@ -21,6 +26,9 @@ adopt(style);
 const SIDES: readonly Side[] = ["reference", "template"];
 
 const ACCEPTED = ".svg,.png,.jpg,.jpeg,.webp,.gif,.bmp,.json,.geojson,.csv,.tps,.txt,image/*,application/json,text/csv";
+
+/** What has been taken last for either side: landmarks of both are tied to each other. */
+const taken: Partial<Record<Side, Subject>> = {};
 
 /** Choose, look, adjust, take: nothing of the page changes before the last step, and one undo takes it back. */
 export function ImportDialog({ session }: { session: Session }) {
@@ -93,8 +101,10 @@ export function ImportDialog({ session }: { session: Session }) {
   };
   const take = async (target: Side) => {
     const outcome = await pending.current;
-    if (!outcome?.prepared) return;
-    session.commitShape(target, outcome.prepared.shape);
+    const from = draft.value;
+    if (!outcome?.prepared || !from) return;
+    taken[target] = subjectOf(from.source, from.choices[from.chosen] ?? {}, outcome.prepared);
+    commit(session, target, outcome.prepared.shape);
     close();
   };
 
@@ -113,6 +123,16 @@ export function ImportDialog({ session }: { session: Session }) {
     if (source !== undefined && ready && document.activeElement === document.body) primary.current?.focus();
   }, [source, ready]);
 
+  const Many = useSignal<FunctionComponent<ComponentProps<typeof Batch>> | null>(null);
+  const many = importing.value?.many;
+  const isMany = many !== undefined;
+  useEffect(() => {
+    if (!isMany || Many.peek()) return;
+    fetched(batch.what, () => import("./Batch")).then((loaded) => {
+      Many.value = loaded.Batch;
+    }, refuse);
+  }, [isMany]);
+
   const side = importing.value?.side ?? "reference";
   const wish = (input: Blob | string | null) => {
     if (input) importing.value = { side, input };
@@ -123,6 +143,27 @@ export function ImportDialog({ session }: { session: Session }) {
   };
   const close = () => dialog.current?.close();
 
+  if (many) {
+    const Loaded = Many.value;
+    return (
+      <dialog
+        ref={dialog}
+        class="import"
+        aria-labelledby="import-name"
+        onClose={() => {
+          importing.value = null;
+        }}
+      >
+        <Head name={batch.title} onClose={close} />
+        <div role="alert">{problem.value && <p class="refusal">{problem.value}</p>}</div>
+        {Loaded ? (
+          <Loaded session={session} dropped={many} accepted={ACCEPTED} onShown={close} />
+        ) : (
+          <p role="status">{batch.loading}</p>
+        )}
+      </dialog>
+    );
+  }
   return (
     <dialog
       ref={dialog}
@@ -132,13 +173,15 @@ export function ImportDialog({ session }: { session: Session }) {
         importing.value = null;
       }}
     >
-      <header>
-        <h2 id="import-name">{isGallery ? later.gallery.title : later.gallery.importing(side)}</h2>
-        <button type="button" class="quiet" onClick={close}>
-          {say.close}
-        </button>
-      </header>
-      <Sources onInput={wish} browsing={browsing.value} onBrowse={() => (browsing.value = !browsing.value)} />
+      <Head name={isGallery ? later.gallery.title : later.gallery.importing(side)} onClose={close} />
+      <Sources
+        onInput={wish}
+        browsing={browsing.value}
+        onBrowse={() => (browsing.value = !browsing.value)}
+        onMany={() => {
+          importing.value = { side, input: null, many: [] };
+        }}
+      />
       <div role="alert">{problem.value && <p class="refusal">{say.words(problem.value)}</p>}</div>
       {(reading.value !== null || (draft.value && !result.value)) && (
         <Reading
@@ -191,6 +234,32 @@ export function ImportDialog({ session }: { session: Session }) {
   );
 }
 
+function Head({ name, onClose }: { readonly name: string; readonly onClose: () => void }) {
+  return (
+    <header>
+      <h2 id="import-name">{name}</h2>
+      <button type="button" class="quiet" onClick={onClose}>
+        {say.close}
+      </button>
+    </header>
+  );
+}
+
+/** One step to undo, pins from landmarks included. */
+function commit(session: Session, side: Side, shape: Subject["shape"]): void {
+  const { present } = session;
+  const { reference, template } = taken;
+  const [other] = SIDES.filter((candidate) => candidate !== side);
+  // Of the other side only what still stands there.
+  const isThere = taken[other]?.shape === present[other];
+  const { pins } = reference && template && isThere ? tied(reference, template) : { pins: [] };
+  if (pins.length === 0) session.commitShape(side, shape);
+  else {
+    const shapes = { reference: present.reference, template: present.template, [side]: shape, pins };
+    session.commitShapes(shapes, { ...present.examples, [side]: false });
+  }
+}
+
 /** How far it is, and the way out: a drawing can take seconds. */
 function Reading({ done, onStop }: { readonly done: number | null; readonly onStop: () => void }) {
   const percent = Math.round(100 * (done ?? 0));
@@ -209,9 +278,10 @@ type SourcesProps = {
   readonly onInput: (input: Blob | string | null) => void;
   readonly browsing: boolean;
   readonly onBrowse: () => void;
+  readonly onMany: () => void;
 };
 
-function Sources({ onInput, browsing, onBrowse }: SourcesProps) {
+function Sources({ onInput, browsing, onBrowse, onMany }: SourcesProps) {
   return (
     <div class="sources">
       <label class="file">
@@ -229,6 +299,9 @@ function Sources({ onInput, browsing, onBrowse }: SourcesProps) {
       </label>
       <button type="button" aria-expanded={browsing} onClick={onBrowse}>
         {say.gallery}
+      </button>
+      <button type="button" onClick={onMany}>
+        {batch.open}
       </button>
       <p id="import-formats" class="help">
         {say.formats}

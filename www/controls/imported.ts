@@ -1,6 +1,7 @@
 /** What is being imported. */
 
 import { signal } from "@preact/signals";
+import type { Dropped } from "../batch/gather";
 import type { Side } from "../session";
 
 export type ImportRequest = {
@@ -9,6 +10,8 @@ export type ImportRequest = {
   readonly input: Blob | string | null;
   /** Opened for the gallery. */
   readonly gallery?: boolean;
+  /** Opened for many targets: several files, or a folder; none yet where it is empty. */
+  readonly many?: Dropped;
 };
 
 /** The request that the dialog answers; null while it is closed. */

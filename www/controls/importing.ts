@@ -30,9 +30,18 @@ function showTargets(on: boolean): void {
 function drop(event: DragEvent): void {
   showTargets(false);
   if (isField(event.target) || !event.dataTransfer) return;
-  const input = event.dataTransfer.files[0] ?? event.dataTransfer.getData("text/plain");
   event.preventDefault();
-  if (input) importing.value = { side: sideAt(event.target), input };
+  const side = sideAt(event.target);
+  const { files, items } = event.dataTransfer;
+  // Entries are there only as long as the event is.
+  const entries = [...items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
+  if (files.length > 1 || entries.some((entry) => entry.isDirectory)) {
+    const many = entries.length > 0 ? entries : [...files];
+    importing.value = { side, input: null, many };
+    return;
+  }
+  const input = files[0] ?? event.dataTransfer.getData("text/plain");
+  if (input) importing.value = { side, input };
 }
 
 function paste(event: ClipboardEvent): void {

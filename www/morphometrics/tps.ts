@@ -116,7 +116,7 @@ function pairs(numbers: Float64Array): string[] {
   return Array.from({ length: numbers.length / 2 }, (_, i) => {
     const [x, y] = [numbers[2 * i], numbers[2 * i + 1]];
     if (Number.isNaN(x) || Number.isNaN(y)) return "-1 -1";
-    if (x < 0 || y < 0) throw new Error(`The point ${x}, ${y} is negative, which in TPS means missing; move it first.`);
+    if (x < 0 || y < 0) throw new Error(`the point ${x}, ${y} is negative, which in TPS means missing`);
     return `${decimal(x)} ${decimal(y)}`;
   });
 }

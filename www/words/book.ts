@@ -2,6 +2,7 @@
 
 import type { actions as pinActions, reports as pinReports, told as pinsTold } from "../pins/words";
 import type { SettingField } from "../settings";
+import type { batch } from "./batch";
 import type { guides, actions as outline, told } from "./drawing";
 import type { en } from "./en";
 import type { experiments } from "./experiments";
@@ -61,6 +62,7 @@ export type Book = {
   readonly pinReports: typeof pinReports;
   readonly files: typeof files;
   readonly imports: typeof imports;
+  readonly batch: typeof batch;
   readonly settings: Readonly<Partial<Record<SettingField["name"], SettingWords>>>;
   readonly helps: typeof helps;
   readonly way: typeof way;

@@ -1,6 +1,7 @@
 /** Deutsch: dieselben Sätze wie auf Englisch, in derselben Gestalt. Kommt erst, wenn es verlangt wird. */
 
 import type { Book } from "./book";
+import { batch } from "./de/batch";
 import { exchange, guides, outline, pinActions, pinReports, pinsTold, strokes, told, tools } from "./de/drawing";
 import { experiments, experimentTexts } from "./de/experiments";
 import { files, imports, links } from "./de/files";
@@ -31,6 +32,7 @@ export const de: Book = {
   pinReports,
   files,
   imports,
+  batch,
   settings,
   helps,
   presets,

@@ -10,6 +10,7 @@ import { de } from "./de";
 import "./drawing";
 import { en } from "./en";
 import { experiments } from "./experiments";
+import "./batch";
 import "./files";
 import { helps } from "./helps";
 import "./imports";

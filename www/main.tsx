@@ -138,6 +138,11 @@ function spawn(): Worker {
   return new SolverWorker({ name: "thinshell solver" });
 }
 
+const engine = { module: moduleAt(solverUrl), spawn };
+
+/** Within another page. */
+const isEmbedded = new URLSearchParams(location.search).has("embed");
+
 /** Opens what the address holds, in the language wished for if it came. */
 function start(root: HTMLElement, isSpoken: boolean): void {
   const memory = new Memory();
@@ -146,7 +151,7 @@ function start(root: HTMLElement, isSpoken: boolean): void {
   const opened = isInSpace
     ? { ...open({ hash: "", search: location.search }, memory.found), unwritten: false, later: true }
     : open(location, memory.found);
-  const session = new Session({ module: moduleAt(solverUrl), spawn }, opened, { view, choose }, memory);
+  const session = new Session(engine, opened, { view, choose }, memory);
   if (!opened.later) session.glance();
   const refuse = () => {
     session.problem.value = en.missing.sentence(en.missing.language);
@@ -185,16 +190,18 @@ if (!root) throw new Error("index.html has no #app");
 readFile("indexFile", "h1, .promise, #method h2, #method p, footer p");
 // On its way while the page is drawn, which does not wait for it.
 const coming = fetchHands();
+const show = async (isSpoken: boolean) =>
+  isEmbedded ? (await import("./embed")).embed(root, engine) : start(root, isSpoken);
 begin().then(
-  () => start(root, true),
-  () => start(root, false),
+  () => show(true),
+  () => show(false),
 );
 whenIdle(async () => {
   // A pointer over the result, or a first stroke, will want these. Where they do not come now, they are asked for again
   // then, and their absence is told.
   await Promise.allSettled([fetchLocal(), fetchKit()]);
-  // While developing, nothing is to come from yesterday.
-  if (!import.meta.env.PROD) return;
+  // While developing, nothing is to come from yesterday; and a frame keeps nothing.
+  if (!import.meta.env.PROD || isEmbedded) return;
   // Without the network on a first visit there is nothing to keep.
   const part = await import("./controls/Update").catch(() => null);
   news.value = part?.Update ?? null;

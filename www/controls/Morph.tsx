@@ -4,6 +4,7 @@ import type { Session } from "../session";
 import { en } from "../words/en";
 import { fetched } from "./fetched";
 import { PLAYS, type Play, partAt } from "./playing";
+import { resting } from "./viewing";
 
 /** Slides between the identity and the match; see view/morph.ts for the way between them. */
 export function Morph({ session }: { session: Session }) {
@@ -25,7 +26,7 @@ export function Morph({ session }: { session: Session }) {
     const begin = performance.now();
     const tick = (now: number) => {
       const part = partAt(play.value, now - begin);
-      session.morph.value = part ?? 1;
+      if (!resting.value) session.morph.value = part ?? 1;
       if (part !== null) pending.current = requestAnimationFrame(tick);
       else playing.value = false;
     };

@@ -2,7 +2,9 @@ import { useSignal } from "@preact/signals";
 import type { Draw, Format } from "../export";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
+import { embed as frames } from "../words/embed";
 import { en } from "../words/en";
+import { save as words } from "../words/save";
 import { fetched } from "./fetched";
 import { Menu } from "./Menu";
 import { draw, limitOf, picture, view } from "./viewing";
@@ -42,19 +44,28 @@ export function Save({ session }: { session: Session }) {
       if (file.note) session.problem.value = file.note;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
-      session.problem.value = en.save.failed(en.save.formats[format], why);
+      session.problem.value = words.failed(words.formats[format], why);
     } finally {
       busy.value = false;
     }
   };
 
+  const embed = async () => {
+    try {
+      const { ask } = await fetched(frames.what, () => import("../embed/Dialog"));
+      ask(session);
+    } catch (error) {
+      session.problem.value = error instanceof Error ? error.message : String(error);
+    }
+  };
+
   const matched = session.result.value !== null;
   return (
-    <Menu kind="save" label={busy.value ? en.save.busy : en.save.name} busy={busy.value}>
+    <Menu kind="save" label={busy.value ? words.busy : words.name} busy={busy.value}>
       {FORMATS.map(({ format, needsMatch }) => (
         <li key={format}>
           <button type="button" disabled={busy.value || (needsMatch && !matched)} onClick={() => save(format)}>
-            {en.save.formats[format]}
+            {words.formats[format]}
           </button>
         </li>
       ))}
@@ -67,8 +78,13 @@ export function Save({ session }: { session: Session }) {
               legend.value = event.currentTarget.checked;
             }}
           />
-          {en.save.legend}
+          {words.legend}
         </label>
+      </li>
+      <li>
+        <button type="button" onClick={embed}>
+          {frames.begin}
+        </button>
       </li>
     </Menu>
   );

@@ -53,7 +53,7 @@ export function SettingsPanel({ session }: { session: Session }) {
 }
 
 /** A field of this session's, with what its value means where that is not plain. */
-function Setting({ session, field }: { session: Session; field: SettingField }) {
+export function Setting({ session, field }: { session: Session; field: SettingField }) {
   const { automatic } = later.settings;
   const value = session.settings.value[field.name] ?? field.initial;
   const isAutomatic = field.name === "bandwidth" && value === 0;

@@ -1,4 +1,3 @@
-import { useSignal } from "@preact/signals";
 import { isFollowing, isPaused, isWorking } from "../phase";
 import type { Session } from "../session";
 import { hands } from "../tools/tool";
@@ -11,7 +10,7 @@ export function Toolbar({ session }: { session: Session }) {
   const paused = isPaused(phase);
   const { reference, template } = session.shapes.value;
   // Comes with what draws.
-  const Exchange = hands.value?.Exchange;
+  const { Exchange, CopyLink } = hands.value ?? {};
   return (
     <div class="toolbar">
       <div class="group">
@@ -51,32 +50,9 @@ export function Toolbar({ session }: { session: Session }) {
           {en.actions.fit}
         </button>
         {Exchange && <Exchange session={session} />}
-        <CopyLink session={session} />
+        {CopyLink && <CopyLink session={session} />}
       </div>
     </div>
-  );
-}
-
-function CopyLink({ session }: { session: Session }) {
-  const said = useSignal<"copy" | "copied" | "seeAddress">("copy");
-  const copy = async () => {
-    const address = session.address();
-    try {
-      await navigator.clipboard.writeText(address);
-      said.value = "copied";
-    } catch {
-      // Not allowed here: the address bar holds the same link.
-      history.replaceState(null, "", address);
-      said.value = "seeAddress";
-    }
-    setTimeout(() => {
-      said.value = "copy";
-    }, 1600);
-  };
-  return (
-    <button type="button" title={en.actions.copyHelp} onClick={copy}>
-      {en.actions[said.value]}
-    </button>
   );
 }
 

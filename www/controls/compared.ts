@@ -57,6 +57,14 @@ export class Comparison {
     this.solver.cancel();
   }
 
+  pause(): void {
+    this.solver.pause();
+  }
+
+  resume(): void {
+    this.solver.resume();
+  }
+
   dispose(): void {
     this.solver.dispose();
   }

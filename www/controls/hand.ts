@@ -19,6 +19,7 @@ import { changeWords, faultWords, strokes } from "../words/strokes";
 const SIDES: readonly Side[] = ["reference", "template"];
 
 export { drawFaulty } from "../view/pen";
+export { CopyLink } from "./CopyLink";
 export { listenForLanguage } from "./changeLanguage";
 export { Exchange } from "./Exchange";
 export { listenForImports } from "./importing";

@@ -13,6 +13,9 @@ import { fetched } from "./fetched";
 
 export const view = signal<View>("grid");
 
+/** Whether nobody sees the page, so that nothing need move. */
+export const resting = signal(false);
+
 /** The place on the reference that is pointed at. */
 export const probe = signal<Probe | null>(null);
 

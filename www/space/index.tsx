@@ -55,6 +55,15 @@ export async function open(hash: string, leave: () => void) {
   };
   return {
     View: () => <Space session={shown} ways={ways} />,
+    session: shown,
+    /** Shows what such a text says. Throws a sentence's part where it cannot be read; then nothing has changed. */
+    set: (text: string) => {
+      const { reference, template, settings, look } = decode(text);
+      shown.commit({ reference: galleryOnly(reference), template: galleryOnly(template), settings });
+      shown.look(look);
+      shown.start();
+    },
+    text: () => textOf(shown),
     undo: () => shown.undo(),
     redo: () => shown.redo(),
     /** Another link has been opened, or the way back been taken. */

@@ -4,6 +4,7 @@ import type { actions as pinActions, reports as pinReports, told as pinsTold } f
 import type { SettingField } from "../settings";
 import type { batch } from "./batch";
 import type { guides, actions as outline, told } from "./drawing";
+import type { embed } from "./embed";
 import type { en } from "./en";
 import type { experiments } from "./experiments";
 import type { files } from "./files";
@@ -16,6 +17,7 @@ import type { numbers } from "./numbers";
 import type { offline } from "./offline";
 import type { words as place } from "./place";
 import type { recent } from "./recent";
+import type { save } from "./save";
 import type { space } from "./space";
 import type { strokes } from "./strokes";
 import type { exchange, words as tools } from "./tools";
@@ -45,7 +47,9 @@ export type Book = {
   readonly en: typeof en;
   readonly later: typeof later;
   readonly captions: typeof captions;
+  readonly embed: typeof embed;
   readonly links: typeof links;
+  readonly save: typeof save;
   readonly memory: typeof memory;
   readonly recent: typeof recent;
   readonly offline: typeof offline;

@@ -3,11 +3,13 @@
 import type { Book } from "./book";
 import { batch } from "./de/batch";
 import { exchange, guides, outline, pinActions, pinReports, pinsTold, strokes, told, tools } from "./de/drawing";
+import { embed } from "./de/embed";
 import { experiments, experimentTexts } from "./de/experiments";
 import { files, imports, links } from "./de/files";
 import { captions, later, memory, offline, recent } from "./de/later";
 import { page } from "./de/page";
 import { experimentsFile, indexFile } from "./de/prose";
+import { save } from "./de/save";
 import { helps, presets, settings } from "./de/settings";
 import { pairsOfSurfaces, space, surfaces, way } from "./de/space";
 
@@ -15,7 +17,9 @@ export const de: Book = {
   en: page,
   later,
   captions,
+  embed,
   links,
+  save,
   memory,
   recent,
   offline,

@@ -182,21 +182,6 @@ export const en = page("en", {
 
   guess: { begin: "Guess first", another: "Another point", end: "Done" },
 
-  save: {
-    name: "Save",
-    busy: "Saving …",
-    legend: "With a legend",
-    formats: {
-      png: "Picture (PNG)",
-      svg: "Drawing (SVG)",
-      json: "Everything (JSON)",
-      csv: "Matched points (CSV)",
-      video: "Morph as video (WebM)",
-      gif: "Morph as GIF",
-    },
-    failed: (what: string, why: string) => `${what} could not be saved. ${why}`,
-  },
-
   morph: {
     name: "Morph",
     what: "What looks for folds",

@@ -170,21 +170,6 @@ export const page: Book["en"] = {
 
   guess: { begin: "Erst raten", another: "Anderer Punkt", end: "Fertig" },
 
-  save: {
-    name: "Speichern",
-    busy: "Wird gespeichert …",
-    legend: "Mit Legende",
-    formats: {
-      png: "Bild (PNG)",
-      svg: "Zeichnung (SVG)",
-      json: "Alles (JSON)",
-      csv: "Zugeordnete Punkte (CSV)",
-      video: "Übergang als Video (WebM)",
-      gif: "Übergang als GIF",
-    },
-    failed: (what, why) => `Nicht gespeichert: ${what}. ${why}`,
-  },
-
   morph: {
     name: "Übergang",
     what: "was nach Falten sucht",

@@ -23,13 +23,14 @@ const BROWSER_TESTS = ["--test", "wasm*"];
 /** @type {Record<string, { title: string, check: () => Promise<Count> }>} */
 const STEPS = {
   style: {
-    title: "style: rustfmt, clippy (native, wasm32), Biome",
+    title: "style: rustfmt, clippy (native, wasm32), rustdoc, Biome",
     check: () =>
       all(
         () => succeeds("cargo", ["fmt", "--check"]),
         () => succeeds("cargo", ["clippy", "--locked", "--all-targets", "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...BROWSER_TESTS, "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...SURFACES, "--", "-D", "warnings"]),
+        () => succeeds("cargo", ["doc", "--locked", "--no-deps", "--lib"], { RUSTDOCFLAGS: "-D warnings" }),
         () => succeeds(...program("@biomejs/biome/bin/biome", ["check", "--error-on-warnings"])),
       ),
   },
@@ -170,9 +171,10 @@ async function all(...checks) {
 /**
  * @param {string} command
  * @param {string[]} args
+ * @param {Record<string, string>} [env]
  */
-async function succeeds(command, args) {
-  return (await run(command, args)).code === 0;
+async function succeeds(command, args, env = {}) {
+  return (await run(command, args, { env })).code === 0;
 }
 
 /**

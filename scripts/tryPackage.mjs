@@ -21,7 +21,7 @@ import { freePort } from "./lib/drivers.mjs";
 import { heading, main, Obstacle, root } from "./lib/process.mjs";
 import { readland } from "./lib/readland.mjs";
 
-const TRIED = join(root, "target", "package");
+const TRIED = join(root, "target", "tried");
 const PATIENCE_MILLIS = 120_000;
 
 /** @typedef {{ folder: string, open: (address: string) => Promise<string> }} Place */

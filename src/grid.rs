@@ -1,6 +1,6 @@
 //! The uniform grid on the unit box: indexing of nodes, cells and corners.
 
-/// n cells a side on [0,1]^D, hence (n+1)^D nodes. Node and cell numbers run x fastest.
+/// n cells a side on `[0,1]^D`, hence (n+1)^D nodes. Node and cell numbers run x fastest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid<const D: usize> {
     cells: usize,

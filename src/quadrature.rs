@@ -6,7 +6,7 @@ const MAX_POINTS: usize = 27;
 const MAX_COLUMNS: usize = 9;
 const MAX_EDGES: usize = 4;
 
-/// M points an axis on [0,1]^D, x fastest.
+/// M points an axis on `[0,1]^D`, x fastest.
 ///
 /// The derivative ∂φ/∂x_k of a multilinear map does not depend on the k-th coordinate: it is an average of the
 /// differences along the 2^(D−1) edges parallel to axis k. A rule therefore has only M^(D−1) distinct *columns*

@@ -69,7 +69,7 @@ pub struct Unresolved {
 #[derive(Clone, Debug)]
 pub struct Verdict {
     pub words: String,
-    /// What the words are made of, besides what the report holds: the [`Kind`], what is counted of both shapes, then where
+    /// What the words are made of, besides what the report holds: the kind, what is counted of both shapes, then where
     /// the largest distance is (0 hole, 1 part, 2 outline of the template, 3 the moved reference; x, y), then what
     /// [`Unresolved::facts`] gives; [`NO_FACT`] stands for what the words do not say.
     pub facts: [f64; FACTS],

@@ -21,7 +21,7 @@ pub(super) const MOST_POINTS: usize = 2_000_000;
 impl SignedDistance<2> {
     /// The exact signed distance of the nodes to the outline of what `loops` enclose.
     ///
-    /// Loops are closed polygons in [0,1]², y up, of any orientation; the first point may stand again at the end.
+    /// Loops are closed polygons in `[0,1]²`, y up, of any orientation; the first point may stand again at the end.
     /// A loop encloses what it winds around (non-zero winding, so a loop that crosses itself is filled). A loop that
     /// lies wholly inside an odd number of the others is a hole, any other adds its inside; loops that partly overlap
     /// unite; equal loops count once. Only the outline of the result counts: strokes inside it have no distance of their own.

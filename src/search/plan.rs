@@ -31,6 +31,9 @@ const SHARP: f64 = 32.0;
 const SHARPER: f64 = 2.0;
 const SHARPEST: f64 = 512.0;
 const SHARPENINGS: u8 = 6;
+/// Rounds beyond these, up to so many, as long as each leaves at most this share of the cost.
+const MOST_SHARPENINGS: u8 = 16;
+const STEADY: f64 = 0.9;
 /// Matches that are worse than this are not sharpened: what they miss is not detail, or they have crumpled.
 const SHARPENED_COST: f64 = 6.0;
 const SHARPENED_MEASURE: f64 = 1.25;
@@ -158,17 +161,19 @@ pub(super) struct Plan {
     single: bool,
     /// Rounds since the last other approach.
     sharpened: u8,
+    /// What the result before the last round cost.
+    before: f64,
 }
 
 impl Plan {
     /// One direct run.
     pub fn single() -> Self {
-        Self { left: [Approach::Direct].into(), single: true, sharpened: 0 }
+        Self { left: [Approach::Direct].into(), single: true, sharpened: 0, before: f64::INFINITY }
     }
 
     /// Nothing: the run there is is the last.
     pub fn none() -> Self {
-        Self { left: VecDeque::new(), single: true, sharpened: 0 }
+        Self { left: VecDeque::new(), single: true, sharpened: 0, before: f64::INFINITY }
     }
 
     pub fn of<const D: usize>(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self {
@@ -178,7 +183,7 @@ impl Plan {
         } else {
             [Approach::Direct, Approach::Guided, Approach::Exchanged, Approach::GuidedExchanged]
         };
-        Self { left: left.into(), single: false, sharpened: 0 }
+        Self { left: left.into(), single: false, sharpened: 0, before: f64::INFINITY }
     }
 
     /// Whether the same direction is still to be tried along corresponding points.
@@ -202,9 +207,14 @@ impl Plan {
         let sharpen = match (good, last) {
             (Some(best), _) => !best.is_fine() && self.sharpened < FINE_SHARPENINGS,
             // What crumples would crumple more.
-            (None, Some(last)) => last.is_worth_sharpening() && self.sharpened < SHARPENINGS,
+            (None, Some(last)) => {
+                let steady = last.cost() <= STEADY * self.before;
+                let most = if steady { MOST_SHARPENINGS } else { SHARPENINGS };
+                last.is_worth_sharpening() && self.sharpened < most
+            }
             (None, None) => false,
         };
+        self.before = last.map_or(f64::INFINITY, Fit::cost);
         if sharpen {
             self.sharpened += 1;
             return Some(Approach::Sharpened(self.sharpened));
@@ -224,7 +234,12 @@ mod tests {
     const CRUMPLED: Fit = Fit { measure: 1.5, ..BLUNT };
 
     fn plan() -> Plan {
-        Plan { left: [Approach::Guided, Approach::Exchanged].into(), single: false, sharpened: 0 }
+        Plan {
+            left: [Approach::Guided, Approach::Exchanged].into(),
+            single: false,
+            sharpened: 0,
+            before: f64::INFINITY,
+        }
     }
 
     #[test]
@@ -239,6 +254,21 @@ mod tests {
             assert_eq!(plan.next(Some(&GOOD), Some(&GOOD)), Some(Approach::Sharpened(round)));
         }
         assert_eq!(plan.next(Some(&GOOD), Some(&GOOD)), None);
+    }
+
+    #[test]
+    fn sharpening_goes_on_as_long_as_each_round_brings_the_match_nearer() {
+        let mut plan = plan();
+        let mut cost = 5.0;
+        let mut round = |plan: &mut Plan, share: f64| {
+            cost *= share;
+            let fit = Fit { mismatch: cost, ..FINE };
+            plan.next(Some(&fit), Some(&fit))
+        };
+        for number in 1..=SHARPENINGS + 2 {
+            assert_eq!(round(&mut plan, 0.85), Some(Approach::Sharpened(number)));
+        }
+        assert_eq!(round(&mut plan, 0.95), Some(Approach::Guided), "too slow to be worth more");
     }
 
     #[test]

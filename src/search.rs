@@ -243,7 +243,8 @@ impl<const D: usize> Search<D> {
     async fn start(&self, approach: Approach, settings: Settings) -> Result<Cascade<D>, Error> {
         let mut ties = tied(&self.pins, approach);
         if approach.is_guided() {
-            let pins = guide(&self.shapes, self.best.as_ref().map(|(_, u)| u.as_slice()));
+            let best = self.best.as_ref().map(|(_, u)| u.as_slice());
+            let pins = guide(&self.shapes, approach.is_as_drawn(), best);
             ties.guide =
                 pins.into_iter().map(|pin| if approach.is_exchanged() { pin.reversed() } else { pin }).collect();
         }

@@ -17,6 +17,7 @@ use crate::distance::SignedDistance;
 use crate::energy::Pin;
 use crate::field::interpolate;
 use crate::grid::Grid;
+use crate::search::missed::in_plane;
 use glam::DVec2;
 use std::rc::Rc;
 
@@ -45,10 +46,27 @@ fn outlines<const D: usize>(shape: &SignedDistance<D>) -> Vec<Vec<DVec2>> {
     if D == 2 { zero_set(Grid::new(shape.grid().cells()), shape.values()) } else { Vec::new() }
 }
 
-/// Pins between the two outlines; none unless both are, but for specks, one closed curve in the plane. `displacement`, at the nodes of the
-/// shapes' grid, tells how far the first is turned, where something is known.
-pub(super) fn guide<const D: usize>(shapes: &[Rc<SignedDistance<D>>; 2], displacement: Option<&[f64]>) -> Vec<Pin<D>> {
-    let [first, second] = [0, 1].map(|k| outlines(&shapes[k]));
+/// The same as they were drawn.
+fn drawn<const D: usize>(shape: &SignedDistance<D>) -> Vec<Vec<DVec2>> {
+    let mut loops: Vec<Vec<DVec2>> = in_plane(&shape.outline()).loops().into_iter().map(|one| one.points).collect();
+    for points in &mut loops {
+        // As the grid's run.
+        let next = |k: usize| points[(k + 1) % points.len()];
+        if (0..points.len()).map(|k| points[k].perp_dot(next(k))).sum::<f64>() < 0.0 {
+            points.reverse();
+        }
+    }
+    loops
+}
+
+/// Pins between the two outlines; none unless both are, but for specks, one closed curve in the plane. `displacement`, at
+/// the nodes of the shapes' grid, tells how far the first is turned, where something is known.
+pub(super) fn guide<const D: usize>(
+    shapes: &[Rc<SignedDistance<D>>; 2],
+    as_drawn: bool,
+    displacement: Option<&[f64]>,
+) -> Vec<Pin<D>> {
+    let [first, second] = [0, 1].map(|k| if as_drawn { drawn(&shapes[k]) } else { outlines(&shapes[k]) });
     let (Some(first), Some(second)) = (only(&first), only(&second)) else { return Vec::new() };
     let turn = displacement.map_or(DVec2::X, |u| turn_of(first, Grid::new(shapes[0].grid().cells()), u));
     let (from, to) = (Curve::of(first, turn), Curve::of(second, DVec2::X));

@@ -72,12 +72,14 @@ pub(super) fn have_as_many_outlines<const D: usize>(shapes: &[Rc<SignedDistance<
 }
 
 fn outlines<const D: usize>(outline: &Hypersurface<D>) -> usize {
-    if D != 2 {
-        return 1;
-    }
+    if D == 2 { in_plane(outline).loops().len() } else { 1 }
+}
+
+/// A curve, for those who know that D = 2.
+pub(super) fn in_plane<const D: usize>(outline: &Hypersurface<D>) -> Hypersurface<2> {
     let points = outline.points().iter().map(|point| [point[0], point[1]]).collect();
     let segments = outline.simplices().iter().map(|ends| [ends[0], ends[1]]).collect();
-    Hypersurface::<2>::new(points, segments).loops().len()
+    Hypersurface::new(points, segments)
 }
 
 fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {

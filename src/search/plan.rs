@@ -56,16 +56,27 @@ pub enum Approach {
     Guided,
     /// From the template to the reference, led likewise.
     GuidedExchanged,
+    /// Both again, by the outlines as they were drawn instead of the grid's: where one assignment leads astray, another may
+    /// not.
+    GuidedAsDrawn,
+    GuidedExchangedAsDrawn,
 }
 
 impl Approach {
     /// Whether the template is the shell and the reference its aim.
     pub fn is_exchanged(self) -> bool {
-        matches!(self, Self::Exchanged | Self::GuidedExchanged | Self::SharpenedExchanged)
+        matches!(
+            self,
+            Self::Exchanged | Self::GuidedExchanged | Self::GuidedExchangedAsDrawn | Self::SharpenedExchanged
+        )
     }
 
     pub(super) fn is_guided(self) -> bool {
-        matches!(self, Self::Guided | Self::GuidedExchanged)
+        matches!(self, Self::Guided | Self::GuidedExchanged) || self.is_as_drawn()
+    }
+
+    pub(super) fn is_as_drawn(self) -> bool {
+        matches!(self, Self::GuidedAsDrawn | Self::GuidedExchangedAsDrawn)
     }
 
     /// Its number, for those who say it in another language.
@@ -76,8 +87,8 @@ impl Approach {
             Self::Inverted => 2,
             Self::Sharpened(_) => 3,
             Self::SharpenedExchanged => 4,
-            Self::Guided => 5,
-            Self::GuidedExchanged => 6,
+            Self::Guided | Self::GuidedAsDrawn => 5,
+            Self::GuidedExchanged | Self::GuidedExchangedAsDrawn => 6,
         })
     }
 
@@ -89,7 +100,7 @@ impl Approach {
                 let finer = (SHARP * SHARPER.powi(i32::from(round) - 1)).min(SHARPEST);
                 Settings { penalty: finer * settings.penalty, thickness: settings.thickness / finer, ..*settings }
             }
-            Self::Direct | Self::Exchanged | Self::Inverted | Self::Guided | Self::GuidedExchanged => *settings,
+            _ => *settings,
         }
     }
 }
@@ -101,8 +112,10 @@ impl fmt::Display for Approach {
             Self::Exchanged => "Matching the other way round: the template with the reference",
             Self::Inverted => "Refining the inverse of the match found the other way round",
             Self::Sharpened(_) => "Sharpening: the template pulls more strongly, most where it was missed",
-            Self::Guided => "Matching along corresponding points of both outlines",
-            Self::GuidedExchanged => "Matching the other way round, along corresponding points of both outlines",
+            Self::Guided | Self::GuidedAsDrawn => "Matching along corresponding points of both outlines",
+            Self::GuidedExchanged | Self::GuidedExchangedAsDrawn => {
+                "Matching the other way round, along corresponding points of both outlines"
+            }
             Self::SharpenedExchanged => "Sharpening the match found the other way round",
         })
     }
@@ -178,12 +191,11 @@ impl Plan {
 
     pub fn of<const D: usize>(reference: &SignedDistance<D>, template: &SignedDistance<D>) -> Self {
         let shorter = boundary_measure(template) < SHORTER * boundary_measure(reference);
-        let left = if shorter {
-            [Approach::Exchanged, Approach::GuidedExchanged, Approach::Direct, Approach::Guided]
-        } else {
-            [Approach::Direct, Approach::Guided, Approach::Exchanged, Approach::GuidedExchanged]
-        };
-        Self { left: left.into(), single: false, sharpened: 0, before: f64::INFINITY }
+        let direct = [Approach::Direct, Approach::Guided];
+        let exchanged = [Approach::Exchanged, Approach::GuidedExchanged];
+        let last = [Approach::GuidedAsDrawn, Approach::GuidedExchangedAsDrawn];
+        let left = if shorter { [exchanged, direct, last] } else { [direct, exchanged, last] };
+        Self { left: left.into_iter().flatten().collect(), single: false, sharpened: 0, before: f64::INFINITY }
     }
 
     /// Whether the same direction is still to be tried along corresponding points.

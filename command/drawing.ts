@@ -3,14 +3,32 @@
 import { DOMParser } from "linkedom";
 import { ImportError } from "../www/shapes/import/found";
 
-/** Gives this process a DOMParser. It takes anything for XML, so whoever reads asks `checkWellFormed` before. */
+/**
+ * Gives this process a DOMParser. It takes anything for XML, so whoever reads asks `checkWellFormed` before, and it knows
+ * no namespaces, so what is in those of SVG and XLink loses its prefix first.
+ */
 export function provideParser(): void {
-  Object.assign(globalThis, { DOMParser });
+  class Parser {
+    parseFromString(text: string, type: "image/svg+xml") {
+      return new DOMParser().parseFromString(withoutPrefixes(text), type);
+    }
+  }
+  Object.assign(globalThis, { DOMParser: Parser });
+}
+
+function withoutPrefixes(text: string): string {
+  const bound = (namespace: string) =>
+    [...text.matchAll(/xmlns:([\w-]{1,40})\s*=\s*(["'])(.*?)\2/g)]
+      .filter(([, , , address]) => address === namespace)
+      .map(([, prefix]) => prefix);
+  const elements = bound("http://www.w3.org/2000/svg").map((prefix) => new RegExp(`(</?)${prefix}:`, "g"));
+  const links = bound("http://www.w3.org/1999/xlink").map((prefix) => new RegExp(`(\\s)${prefix}:(?=href\\s*=)`, "g"));
+  return [...elements, ...links].reduce((plain, prefix) => plain.replace(prefix, "$1"), text);
 }
 
 /** What begins with "<" and is no element, and tags: their name, whether they end one, and whether they are both. */
 const MARKUP =
-  /<!--[\s\S]*?-->|<!\[CDATA\[[\s\S]*?\]\]>|<\?[\s\S]*?\?>|<!DOCTYPE(?:[^[>]|\[[^\]]*\])*>|<(\/?)([A-Za-z_][\w.:-]*)((?:[^<>"']|"[^"<]*"|'[^'<]*')*?)(\/?)>|</gi;
+  /<!--[\s\S]*?-->|<!\[CDATA\[[\s\S]*?\]\]>|<\?[\s\S]*?\?>|<!DOCTYPE(?:[^[>]|\[[^\]]*\])*>|<(\/?)([^\s<>/!?="'-][^\s<>/!?="']*)((?:[^<>"']|"[^"<]*"|'[^'<]*')*?)(\/?)>|</gi;
 
 /** Throws where elements are not nested, or the text ends before they do: a drawing that is cut off. */
 export function checkWellFormed(text: string): void {

@@ -6,7 +6,7 @@ import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
 import { bounds } from "../shapes/geometry";
 import type { Hand } from "../tools/hand";
-import { curve, kit as further } from "../tools/kit";
+import { curve, kit as further, knot } from "../tools/kit";
 import { hands, tool } from "../tools/tool";
 import { nearest } from "../view/along";
 import { Surface } from "../view/canvas";
@@ -24,7 +24,14 @@ import { guess, probe } from "./viewing";
 const PROBE_REACH = 24;
 
 /** Which lines of the page tell what keys do; see index.html. */
-const KEYS = { draw: "keys", circle: "outline-keys", polygon: "outline-keys", mirror: "outline-keys", pin: "pin-keys" };
+const KEYS = {
+  draw: "keys",
+  circle: "outline-keys",
+  polygon: "outline-keys",
+  mirror: "outline-keys",
+  points: "outline-keys",
+  pin: "pin-keys",
+};
 
 /** One sketch surface with its heading and Clear button. */
 export function SketchPanel({ session, side }: { session: Session; side: Side }) {
@@ -68,7 +75,7 @@ export function SketchPanel({ session, side }: { session: Session; side: Side })
     const coloured = computed(() => colourOf(session, side));
     const mark = computed(() => markOf(session, side));
     const stop = effect(() => {
-      const signals = [shape, pins, coloured, mark, begun, chosen, kit, further, curve, session.question];
+      const signals = [shape, pins, coloured, mark, begun, chosen, kit, further, curve, knot, session.question];
       for (const shown of [...signals, session.settings]) shown.value;
       surface.invalidate();
     });

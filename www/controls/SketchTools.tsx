@@ -5,7 +5,7 @@ import { kit as further } from "../tools/kit";
 import { choose, said, type ToolName, tool } from "../tools/tool";
 import { words } from "../words/tools";
 
-const TOOLS: readonly ToolName[] = ["draw", "circle", "polygon", "mirror", "pin"];
+const TOOLS: readonly ToolName[] = ["draw", "circle", "polygon", "mirror", "points", "pin"];
 
 /** What the hand does on both surfaces, with a sentence on what comes next. */
 export function SketchTools({ session }: { session: Session }) {

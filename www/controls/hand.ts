@@ -58,12 +58,15 @@ function toolOf(name: ToolName, session: Session, ground: Ground & { restore(): 
   if (further && name === "circle") return new further.Circle(easel);
   if (further && name === "polygon") return new further.Polygon(easel);
   if (further && name === "mirror") return new further.Mirror(easel);
+  const bench = Object.assign(easel, {
+    shape: () => session.shapes.value[side],
+    preview: (shape: Shape, at: number) => session.previewShape(side, shape, at),
+    commit: (shape: Shape) => session.commitShape(side, shape),
+  });
+  if (further && name === "points") return new further.Points(bench);
   return new Drawing(
-    Object.assign(easel, {
-      shape: () => session.shapes.value[side],
+    Object.assign(bench, {
       isExample: () => session.isExample(side),
-      preview: (shape: Shape, at: number) => session.previewShape(side, shape, at),
-      commit: (shape: Shape) => session.commitShape(side, shape),
       choose: (loop: number | null) => choose(session, side, loop),
     }),
   );

@@ -4,7 +4,7 @@ import type { Session, Side } from "../session";
 import type { Loop } from "../shapes/geometry";
 import { actions, guides, told } from "../words/drawing";
 import { focusOn } from "./focus";
-import { curve, open } from "./kit";
+import { curve, knot, open } from "./kit";
 import { rounded } from "./rounding";
 import { said, tool } from "./tool";
 
@@ -32,7 +32,21 @@ export function Actions({ session }: { session: Session }) {
       </div>
     );
   }
-  const chosen = curve.value;
+  const marked = tool.value === "points" && knot.value?.tool;
+  if (marked) {
+    const remove = () => {
+      marked.remove();
+      focusOn(marked.side);
+    };
+    return (
+      <div class="group next">
+        <button type="button" onClick={remove}>
+          {actions.deletePoint}
+        </button>
+      </div>
+    );
+  }
+  const chosen = tool.value === "points" ? null : curve.value;
   const shape = chosen && session.shapes.value[chosen.side];
   const loop = chosen && shape?.[chosen.loop];
   if (!chosen || !loop) return null;
@@ -61,7 +75,7 @@ export function Actions({ session }: { session: Session }) {
 export function guide(): string | null {
   if (open.value) return guides.open(open.value.count, open.value.outline.least);
   const name = tool.value;
-  return name === "circle" || name === "polygon" || name === "mirror" ? guides[name] : null;
+  return name === "draw" || name === "pin" ? null : guides[name];
 }
 
 /** What a smoothed curve was before, and by how much it is smoothed: the slider goes both ways. */

@@ -4,4 +4,5 @@ export { Actions, guide } from "./Actions";
 export { Circle } from "./circle";
 export { drawChosen } from "./draw";
 export { Mirror } from "./mirror";
+export { Points } from "./points";
 export { Polygon } from "./polygon";

@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import { fetched } from "../controls/fetched";
 import { en } from "../words/en";
 import type { Outline } from "./outline";
+import type { Points } from "./points";
 
 /** Circle, polygon, mirror and what is done to one curve, once it is there. */
 export const kit = signal<typeof import("./index") | null>(null);
@@ -18,3 +19,6 @@ export const open = signal<{ readonly outline: Outline; readonly count: number }
 
 /** The curve that is smoothed or deleted. */
 export const curve = signal<{ readonly side: "reference" | "template"; readonly loop: number } | null>(null);
+
+/** The knot of a curve that is marked, and whose tool it is. */
+export const knot = signal<{ readonly tool: Points; readonly loop: number; readonly index: number } | null>(null);

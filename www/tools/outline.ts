@@ -208,7 +208,7 @@ export class Outline {
   }
 }
 
-function boxed({ x, y }: Point): Point {
+export function boxed({ x, y }: Point): Point {
   const inside = (value: number) => Math.min(1, Math.max(0, value));
   return { x: inside(x), y: inside(y) };
 }

@@ -6,7 +6,7 @@ import { begun, chosen, fetchKit as fetchPins } from "../pins/kit";
 import { en } from "../words/en";
 import { fetchKit } from "./kit";
 
-export type ToolName = "draw" | "circle" | "polygon" | "mirror" | "pin";
+export type ToolName = "draw" | "circle" | "polygon" | "mirror" | "points" | "pin";
 
 export const tool = signal<ToolName>("draw");
 

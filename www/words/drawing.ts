@@ -11,6 +11,7 @@ export const guides = page("guides", {
   circle: "Press where the middle is to be, and drag outwards.",
   polygon: "Press corner after corner; the first corner again closes the outline.",
   mirror: "Draw one half from the dashed line back to it: the other half is its mirror image.",
+  points: "Drag a point, or press a curve where one is to be added.",
   /** While an outline is open. */
   open: (count: number, least: number) =>
     count < least
@@ -26,6 +27,7 @@ export const actions = page("outline", {
   rounding: "Smooth",
   roundness: (percent: number) => (percent === 0 ? "as drawn" : `${percent} %`),
   deleteCurve: "Delete curve",
+  deletePoint: "Delete point",
 });
 
 /** Spoken; points counted from 0. */
@@ -42,6 +44,9 @@ export const told = page("told", {
   deleted: (index: number, count: number) =>
     count === 0 ? "The last point is deleted." : `Point ${index + 1} deleted; ${points(count)} left.`,
   tooFew: (count: number, least: number) => `${points(count)} so far: an outline needs ${least}.`,
+  added: (index: number) => `Point ${index + 1} added: arrow keys move it, Space sets it down.`,
+  noCurve: "There is no curve here: Page Down goes to the next point.",
+  keepsThree: "A closed curve keeps three points.",
   putBack: "Put back.",
   givenUp: "The outline is given up.",
   centre: (at: Point) => `Middle set: ${place(at)}. Arrow keys widen the circle, Enter sets it down.`,

@@ -8,6 +8,7 @@ export const words = page("tools", {
   circle: { label: "Circle", help: "Drag a circle from its middle" },
   polygon: { label: "Polygon", help: "Press corner after corner; with the keyboard too" },
   mirror: { label: "Mirror", help: "Draw one half, and get a shape that is its own mirror image" },
+  points: { label: "Points", help: "Move, add and delete the points of a curve; with the keyboard too" },
   pin: { label: "Pin", help: "Tie a point of the reference to a point of the template" },
   drawFirst: "Draw a closed curve on either side.",
   drawOn: "Draw, pull a curve to bend it, or take its round grip to move it.",

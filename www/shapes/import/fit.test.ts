@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import { bounds, type Loop, perimeter, type Shape, signedArea } from "../geometry";
 import { PRESETS } from "../presets";
-import { CELL, divided, MOST_POINTS, prepared, rounded, simplified, thinned } from "./fit";
+import { divided, thinned } from "../thin";
+import { CELL, MOST_POINTS, prepared, rounded, simplified } from "./fit";
 import { united } from "./region";
 
 const FIT = { parts: "all", holes: "keep", placement: "fit", smoothing: 0 } as const;

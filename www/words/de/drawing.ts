@@ -11,6 +11,7 @@ export const tools: Book["tools"] = {
   circle: { label: "Kreis", help: "Einen Kreis aus seiner Mitte aufziehen" },
   polygon: { label: "Vieleck", help: "Ecke für Ecke drücken; auch mit der Tastatur" },
   mirror: { label: "Spiegel", help: "Eine Hälfte zeichnen und eine Form erhalten, die ihr eigenes Spiegelbild ist" },
+  points: { label: "Punkte", help: "Punkte einer Kurve verschieben, hinzufügen und löschen; auch mit der Tastatur" },
   pin: { label: "Nadel", help: "Einen Punkt der Referenz an einen Punkt des Ziels heften" },
   drawFirst: "Zeichnen Sie auf einer der Flächen eine geschlossene Kurve.",
   drawOn: "Zeichnen Sie, biegen Sie eine Kurve durch Ziehen, oder verschieben Sie sie am runden Griff.",
@@ -35,6 +36,7 @@ export const exchange: Book["exchange"] = {
 export const guides: Book["guides"] = {
   circle: "Drücken Sie, wo die Mitte sein soll, und ziehen Sie nach außen.",
   polygon: "Drücken Sie Ecke für Ecke; die erste Ecke noch einmal schließt den Umriss.",
+  points: "Ziehen Sie einen Punkt, oder drücken Sie auf die Kurve, wo einer hinzukommen soll.",
   mirror: "Zeichnen Sie eine Hälfte, von der gestrichelten Linie zurück zu ihr: Die andere ist ihr Spiegelbild.",
   open: (count, least) =>
     count < least
@@ -50,6 +52,7 @@ export const outline: Book["outline"] = {
   rounding: "Glätten",
   roundness: (percent) => (percent === 0 ? "wie gezeichnet" : `${percent} %`),
   deleteCurve: "Kurve löschen",
+  deletePoint: "Punkt löschen",
 };
 
 export const told: Book["told"] = {
@@ -65,6 +68,9 @@ export const told: Book["told"] = {
   deleted: (index, count) =>
     count === 0 ? "Der letzte Punkt ist gelöscht." : `Punkt ${index + 1} gelöscht; noch ${points(count)}.`,
   tooFew: (count, least) => `Bisher ${points(count)}: Ein Umriss braucht ${least}.`,
+  added: (index) => `Punkt ${index + 1} hinzugefügt: Pfeiltasten bewegen ihn, die Leertaste setzt ihn ab.`,
+  noCurve: "Hier ist keine Kurve: „Bild ab“ führt zum nächsten Punkt.",
+  keepsThree: "Eine geschlossene Kurve behält drei Punkte.",
   putBack: "Zurückgesetzt.",
   givenUp: "Der Umriss ist verworfen.",
   centre: (at) => `Mitte gesetzt: ${place(at)}. Pfeiltasten weiten den Kreis, die Eingabetaste setzt ihn ab.`,

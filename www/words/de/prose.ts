@@ -55,7 +55,7 @@ export const indexFile: FileWords = {
     },
     {
       innerHTML:
-        "Mit <strong>Vieleck</strong>, <strong>Spiegel</strong> und <strong>Kreis</strong>, auf einer fokussierten Form: Pfeiltasten bewegen einen Zeiger (mit der Umschalttaste in kleinen Schritten), die <kbd>Eingabetaste</kbd> oder die <kbd>Leertaste</kbd> setzt einen Punkt, die <kbd>Eingabetaste</kbd> auf dem ersten oder letzten Punkt schließt den Umriss, <kbd>Bild ab</kbd> und <kbd>Bild auf</kbd> gehen von Punkt zu Punkt, die <kbd>Leertaste</kbd> nimmt einen auf und setzt ihn ab, <kbd>Entf</kbd> löscht ihn, <kbd>Esc</kbd> verwirft.",
+        "Mit <strong>Vieleck</strong>, <strong>Spiegel</strong> und <strong>Kreis</strong>, auf einer fokussierten Form: Pfeiltasten bewegen einen Zeiger (mit der Umschalttaste in kleinen Schritten), die <kbd>Eingabetaste</kbd> oder die <kbd>Leertaste</kbd> setzt einen Punkt, die <kbd>Eingabetaste</kbd> auf dem ersten oder letzten Punkt schließt den Umriss, <kbd>Bild ab</kbd> und <kbd>Bild auf</kbd> gehen von Punkt zu Punkt, die <kbd>Leertaste</kbd> nimmt einen auf und setzt ihn ab, <kbd>Entf</kbd> löscht ihn, <kbd>Esc</kbd> verwirft. <strong>Punkte</strong> tut dasselbe mit einer fertigen Kurve, auf der die <kbd>Eingabetaste</kbd> einen Punkt hinzufügt.",
     },
     {
       innerHTML:

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { Surface } from "../view/canvas";
-import { framing, type Square } from "../view/framing";
+import { framing, type Square, seenOf } from "../view/framing";
 import { movedAt, movedLoops, wayOf } from "../view/morph";
 import { drawMark, probeAt, stepped } from "../view/probe";
 import type { ResultScene } from "../view/result";
@@ -31,9 +31,7 @@ export function MatchCanvas({ label, scene, limit, drawn }: Properties) {
       // Another kind of square begins anew.
       if (legend !== (view.peek() !== "grid")) square = null;
       legend = view.peek() !== "grid";
-      const { reference, template, pins } = scene.peek();
-      const ends = Float64Array.from(pins.flatMap(({ reference: p, template: q }) => [p.x, p.y, q.x, q.y]));
-      square = framing([...reference, ...template, ends], square, { legend });
+      square = framing(seenOf(scene.peek()), square, { legend });
       return square;
     };
     const made = new Surface(canvas.current, seen, (context, frame, colours) => {

@@ -6,6 +6,7 @@ import { flattened, parsePath } from "../shapes/import/path";
 import { IDENTITY } from "../shapes/import/transform";
 import { PRESETS } from "../shapes/presets";
 import { nearest, stretch } from "../view/along";
+import { framing, seenOf, WHOLE } from "../view/framing";
 import { CYCLES, type Theme } from "../view/palette";
 import { csv } from "./csv";
 import { fileName, type Saving, sceneAt } from "./scene";
@@ -86,7 +87,7 @@ test("distances are to edges, not only to points", () => {
 });
 
 test("shapes in the drawing are those of the page to a thousandth of a cell", () => {
-  const drawing = svg(sceneAt(saving(), 1), THEME);
+  const drawing = svg(sceneAt(saving(), 1), WHOLE, THEME);
   for (const [side, shape] of Object.entries({ reference, template, matched: saving().match.curves.matched })) {
     const data = new RegExp(`<path data-side="${side}" d="([^"]*)"`).exec(drawing)?.[1] ?? "";
     const loops = flattened(parsePath(data), IDENTITY, 1e-3).map(({ points }) => points);
@@ -99,7 +100,7 @@ test("shapes in the drawing are those of the page to a thousandth of a cell", ()
 });
 
 test("the drawing has the deformed grid, partners and the colours of the arc length", () => {
-  const drawing = svg(sceneAt(saving(), 1), THEME);
+  const drawing = svg(sceneAt(saving(), 1), WHOLE, THEME);
   const grid = /id="grid" d="([^"]*)"/.exec(drawing)?.[1] ?? "";
   // Nine lines either way; the first begins where the lower left corner goes: (−½, −½), y down.
   expect(grid.match(/M/g)).toHaveLength(18);
@@ -110,13 +111,13 @@ test("the drawing has the deformed grid, partners and the colours of the arc len
 });
 
 test("halfway through the morph a doubling has grown by the root of two", () => {
-  const drawing = svg(sceneAt(saving(), 0.5), THEME);
+  const drawing = svg(sceneAt(saving(), 0.5), WHOLE, THEME);
   const corner = Math.round(1e6 * (0.5 - Math.SQRT1_2)) / 1000;
   expect(/id="grid" d="([^"]*)"/.exec(drawing)?.[1].startsWith(`M${corner} ${1000 - corner}L`)).toBe(true);
 });
 
 test("without a match there is still a drawing of both shapes on the plane grid", () => {
-  const drawing = svg(sceneAt({ ...saving(), match: null }, 1), THEME);
+  const drawing = svg(sceneAt({ ...saving(), match: null }, 1), WHOLE, THEME);
   expect(drawing).toContain('data-side="reference"');
   expect(drawing).toContain('data-side="template"');
   expect(drawing).not.toContain("matched");
@@ -136,3 +137,23 @@ function hausdorff(a: Loop, b: Loop): number {
   };
   return Math.max(oneWay(a, b), oneWay(b, a));
 }
+
+test("a drawing shows the square around the shapes, its lines as wide on paper as those of the whole box", () => {
+  const square = framing(seenOf(saving()));
+  expect(square.size).toBeLessThan(0.9);
+  const [near, whole] = [square, WHOLE].map((seen) => svg(sceneAt(saving(), 1), seen, THEME));
+  const numbers = (drawing: string) => (/viewBox="([^"]*)"/.exec(drawing)?.[1] ?? "").split(" ").map(Number);
+  const [x, y, side] = numbers(near);
+  expect(side).toBeCloseTo(1000 * square.size, 3);
+  for (const loop of [...reference, ...template])
+    for (let i = 0; i < loop.length; i += 2) {
+      expect(1000 * loop[i]).toBeGreaterThan(x);
+      expect(1000 * loop[i]).toBeLessThan(x + side);
+      expect(1000 * (1 - loop[i + 1])).toBeGreaterThan(y);
+      expect(1000 * (1 - loop[i + 1])).toBeLessThan(y + side);
+    }
+  const thin = (drawing: string) => Number(/id="grid" [^>]*stroke-width="([^"]*)"/.exec(drawing)?.[1]);
+  expect(thin(near) / numbers(near)[2]).toBeCloseTo(thin(whole) / numbers(whole)[2], 5);
+  const data = (drawing: string) => /data-side="matched" d="([^"]*)"/.exec(drawing)?.[1];
+  expect(data(near)).toBe(data(whole));
+});

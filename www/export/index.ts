@@ -1,6 +1,7 @@
 /** Every format in which a match is taken away, by its name. */
 
 import { encodeRecord } from "../record";
+import { framing, seenOf } from "../view/framing";
 import type { View } from "../view/names";
 import { theme } from "../view/palette";
 import type { Picture } from "../view/raster";
@@ -39,23 +40,25 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
     return legendOf(view, scale, colours, view !== "pullback" && missed !== undefined && missed.length > 0);
   };
   const at: SceneAt = (part) => sceneAt(saving, part);
+  const square = framing(seenOf(saving), null, { legend: look.legend });
   const named = (blob: Blob, extension: string): Saved => ({ blob, name: fileName(saving, extension) });
   const text = (content: string, type: string) => named(new Blob([content], { type }), format);
   switch (format) {
     case "png":
-      return named(await png(at(morph), colours, draw, look.legend ? legend() : null), "png");
+      return named(await png(at(morph), square, colours, draw, look.legend ? legend() : null), "png");
     case "svg": {
       const { match, ...scene } = at(morph);
-      const words = look.legend ? legendSvg(legend(), colours) : "";
+      const words = look.legend ? legendSvg(legend(), colours, square) : "";
       const drawing =
         match && picture && view !== "grid"
           ? await svgOf(
               view,
               { match, morph, bandwidth: scene.bandwidth, limit, picture, missed: scene.missed ?? [] },
+              square,
               colours,
               words,
             )
-          : svg({ match, ...scene }, colours, words);
+          : svg({ match, ...scene }, square, colours, words);
       return text(drawing, "image/svg+xml");
     }
     case "json":
@@ -68,16 +71,16 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
       return text(csv(matchOf(saving).curves), "text/csv");
     case "video": {
       matchOf(saving);
-      const film = await video(at, colours, draw);
+      const film = await video(at, square, colours, draw);
       if (film) return named(film.blob, film.extension);
       return {
-        ...named((await gif(at, colours, draw)).blob, "gif"),
+        ...named((await gif(at, square, colours, draw)).blob, "gif"),
         note: files.noVideo,
       };
     }
     case "gif":
       matchOf(saving);
-      return named((await gif(at, colours, draw)).blob, "gif");
+      return named((await gif(at, square, colours, draw)).blob, "gif");
   }
 }
 

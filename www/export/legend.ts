@@ -1,11 +1,15 @@
 /** The legend of a view, for pictures and drawings that leave the page: over their lower right corner. */
 
+import type { Square } from "../view/framing";
 import type { View } from "../view/names";
 import type { Theme } from "../view/palette";
 import { css, type Scale } from "../view/scales";
 import { later } from "../words/later";
 
-/** Thousandths of the box's side; the corner is that of the box. */
+/** A legend's units: so many across the picture, whatever it shows, and so many between the legend and its edge. */
+export const ACROSS = 1100;
+export const EDGE = 50;
+
 const WIDTH = 330;
 const BAR = 16;
 const LINE = 26;
@@ -43,7 +47,7 @@ function titled({ title, unit }: Scale): string {
   return unit ? `${title} (${unit})` : title;
 }
 
-/** `unit` device pixels a thousandth, `(x, y)` the box's upper left corner. */
+/** `unit` device pixels a unit, from the origin `(x, y)`. */
 export function drawLegend(
   context: CanvasRenderingContext2D,
   legend: Legend,
@@ -94,8 +98,8 @@ export function drawLegend(
   context.restore();
 }
 
-/** The same in a drawing's units. */
-export function legendSvg(legend: Legend, colours: Theme): string {
+/** The same for a drawing that shows the square, its units a thousandth of the box's side. */
+export function legendSvg(legend: Legend, colours: Theme, { left: x, bottom, size }: Square): string {
   const { left, top, height } = boxOf(legend);
   const gradients: string[] = [];
   const parts: string[] = [
@@ -129,7 +133,10 @@ export function legendSvg(legend: Legend, colours: Theme): string {
     text(left + PAD + 62, line + LINE / 2, words, "start");
     line += LINE;
   }
-  return `<g id="legend" font-family="system-ui, sans-serif" font-size="${TEXT}" fill="${colours.ink}"><defs>${gradients.join("")}</defs>${parts.join("")}</g>`;
+  const scale = (1000 * size) / ACROSS;
+  const [right, down] = [1000 * x + EDGE * scale, 1000 * (1 - bottom - size) + EDGE * scale];
+  const place = `translate(${right.toFixed(3)} ${down.toFixed(3)}) scale(${scale.toFixed(5)})`;
+  return `<g id="legend" transform="${place}" font-family="system-ui, sans-serif" font-size="${TEXT}" fill="${colours.ink}"><defs>${gradients.join("")}</defs>${parts.join("")}</g>`;
 }
 
 function escaped(text: string): string {

@@ -1,6 +1,7 @@
 /** The morph from the identity to the match and back as a film. */
 
 import { applyPalette, GIFEncoder, quantize } from "gifenc";
+import type { Square } from "../view/framing";
 import type { Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
 import { files } from "../words/files";
@@ -37,16 +38,22 @@ function morphAt(part: number): number {
 }
 
 /** Records in real time, some four seconds. Null where the browser records none, or nothing. */
-export async function video(sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film | null> {
+export async function video(sceneAt: SceneAt, square: Square, colours: Theme, draw: Draw): Promise<Film | null> {
   const type = videoType();
-  return type ? recorded(type, sceneAt, colours, draw).catch(() => null) : null;
+  return type ? recorded(type, sceneAt, square, colours, draw).catch(() => null) : null;
 }
 
-async function recorded(type: string, sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film | null> {
+async function recorded(
+  type: string,
+  sceneAt: SceneAt,
+  square: Square,
+  colours: Theme,
+  draw: Draw,
+): Promise<Film | null> {
   const canvas = document.createElement("canvas");
   canvas.width = VIDEO_SIDE;
   canvas.height = VIDEO_SIDE;
-  paint(canvas, sceneAt(0), colours, draw);
+  paint(canvas, square, sceneAt(0), colours, draw);
   const stream = canvas.captureStream(VIDEO_RATE);
   const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: VIDEO_BITS_PER_SECOND });
   const pieces: Blob[] = [];
@@ -58,7 +65,7 @@ async function recorded(type: string, sceneAt: SceneAt, colours: Theme, draw: Dr
   recorder.start();
   const begin = performance.now();
   for (let part = 0; part < 1; part = (performance.now() - begin) / VIDEO_MILLIS) {
-    paint(canvas, sceneAt(morphAt(part)), colours, draw);
+    paint(canvas, square, sceneAt(morphAt(part)), colours, draw);
     await pause(1000 / VIDEO_RATE);
   }
   recorder.stop();
@@ -71,12 +78,12 @@ async function recorded(type: string, sceneAt: SceneAt, colours: Theme, draw: Dr
 }
 
 /** Plays everywhere and for ever. One palette for all frames, from both ends of the morph and its middle. */
-export async function gif(sceneAt: SceneAt, colours: Theme, draw: Draw): Promise<Film> {
+export async function gif(sceneAt: SceneAt, square: Square, colours: Theme, draw: Draw): Promise<Film> {
   const canvas = document.createElement("canvas");
   canvas.width = GIF_SIDE;
   canvas.height = GIF_SIDE;
   const pixels = (morph: number) =>
-    paint(canvas, sceneAt(morph), colours, draw).getImageData(0, 0, GIF_SIDE, GIF_SIDE).data;
+    paint(canvas, square, sceneAt(morph), colours, draw).getImageData(0, 0, GIF_SIDE, GIF_SIDE).data;
   const typical = [0, 0.5, 1];
   const samples = new Uint8ClampedArray(typical.length * 4 * GIF_SIDE * GIF_SIDE);
   typical.forEach((morph, i) => {

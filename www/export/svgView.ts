@@ -1,13 +1,14 @@
 /** The views other than the grid as drawings: lines as paths, what is made of pixels as a picture beneath them. */
 
 import type { Shape } from "../shapes/geometry";
+import type { Square } from "../view/framing";
 import { movedLoops } from "../view/morph";
 import type { View } from "../view/names";
 import type { Theme } from "../view/palette";
 import { css, place as placed } from "../view/scales";
 import { alongOf, isAlong, pixelsOf, scaleOf, type ViewScene } from "../view/views";
 import { en } from "../words/en";
-import { closedPath, MARGIN, missedPath, place, UNITS } from "./svg";
+import { closedPath, head, missedPath, place, round, thickness, UNITS } from "./svg";
 
 /** Pixels a side of what is made of pixels. */
 const PIXELS = 1100;
@@ -15,27 +16,28 @@ const PIXELS = 1100;
 export async function svgOf(
   view: View,
   scene: ViewScene & { readonly missed: Shape },
+  square: Square,
   colours: Theme,
   legend: string,
 ): Promise<string> {
   const { reference, template, matched } = scene.match.curves;
   const moved = movedLoops(scene.match, scene.morph);
-  const side = UNITS + 2 * MARGIN;
+  const thick = thickness(square);
+  const { left, bottom, size } = square;
+  const [x, y, side] = [UNITS * left, UNITS * (1 - bottom - size), UNITS * size].map(round);
   const line = (loops: Shape, colour: string, width: number, more = "") =>
-    `<path d="${closedPath(loops)}" fill="none" stroke="${colour}" stroke-width="${width}" stroke-linejoin="round"${more}/>`;
+    `<path d="${closedPath(loops)}" fill="none" stroke="${colour}" stroke-width="${round(width * thick)}" stroke-linejoin="round"${more}/>`;
   const drawn = isAlong(view)
-    ? along(view, scene, colours, moved, line)
+    ? along(view, scene, colours, moved, line, thick)
     : [
-        `<image x="${-MARGIN}" y="${-MARGIN}" width="${side}" height="${side}" href="${await address(view, scene, colours)}"/>`,
+        `<image x="${x}" y="${y}" width="${side}" height="${side}" href="${await address(view, scene, square, colours)}"/>`,
         view === "pullback" ? line(reference, colours.reference, 8) : line(template, colours.template, 8),
         ...(view === "pullback" ? [] : [line(moved, colours.paper, 7), line(moved, colours.ink, 3)]),
       ];
   return [
-    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${-MARGIN} ${-MARGIN} ${side} ${side}" width="${side}" height="${side}" data-units-per-side="${UNITS}">`,
-    `<title>${en.views[view]}</title>`,
-    `<rect x="${-MARGIN}" y="${-MARGIN}" width="${side}" height="${side}" fill="${colours.paper}"/>`,
+    ...head(en.views[view], square, colours),
     ...drawn,
-    view === "pullback" ? "" : missedPath(scene.missed, colours),
+    view === "pullback" ? "" : missedPath(scene.missed, colours, thick),
     // By these the import finds the shapes again, as in the drawing of the grid.
     ...Object.entries({ reference, template, matched }).map(
       ([name, loops]) => `<path data-side="${name}" d="${closedPath(loops)}" fill="none" stroke="none"/>`,
@@ -56,6 +58,7 @@ function along(
   colours: Theme,
   moved: Shape,
   line: Line,
+  thick: number,
 ): string[] {
   const { reference, template } = scene.match.curves;
   const scale = scaleOf(view, scene.limit, colours.dark);
@@ -64,10 +67,10 @@ function along(
   return [
     line(template, colours.template, 10, ' stroke-opacity="0.35"'),
     ...(own
-      ? [line(reference, colours.ink, 8), pieces(reference, own, table, 6)]
+      ? [line(reference, colours.ink, 8), pieces(reference, own, table, 6 * thick)]
       : [line(reference, colours.muted, 2, ' stroke-opacity="0.8"')]),
     line(moved, colours.ink, 14),
-    pieces(moved, moving, table, 12),
+    pieces(moved, moving, table, 12 * thick),
   ];
 }
 
@@ -87,13 +90,11 @@ function pieces(loops: Shape, places: Shape, table: readonly string[], width: nu
       [colour, path] = [next, `M${point}`];
     }
   });
-  return `<g class="along" fill="none" stroke-width="${width}" stroke-linejoin="round" stroke-linecap="round">${out.join("")}</g>`;
+  return `<g class="along" fill="none" stroke-width="${round(width)}" stroke-linejoin="round" stroke-linecap="round">${out.join("")}</g>`;
 }
 
-async function address(view: View, scene: ViewScene, { dark }: Theme): Promise<string> {
-  const scale = (PIXELS * UNITS) / (UNITS + 2 * MARGIN);
-  const edge = -MARGIN / UNITS;
-  const frame = { left: edge, bottom: edge, scale, width: PIXELS, height: PIXELS, ratio: 2 };
+async function address(view: View, scene: ViewScene, { left, bottom, size }: Square, { dark }: Theme): Promise<string> {
+  const frame = { left, bottom, scale: PIXELS / size, width: PIXELS, height: PIXELS, ratio: 2 };
   const blob = await pixelsOf(view, frame, dark, scene).convertToBlob({ type: "image/png" });
   let text = "";
   for (const byte of new Uint8Array(await blob.arrayBuffer())) text += String.fromCharCode(byte);

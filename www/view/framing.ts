@@ -7,7 +7,7 @@ export const BOX: Square = { left: 0, bottom: 0, size: 1 };
 
 /** φ leaves the box a little under the natural boundary condition; never more than this around it is shown. */
 const MARGIN = 0.05;
-const WHOLE: Square = { left: -MARGIN, bottom: -MARGIN, size: 1 + 2 * MARGIN };
+export const WHOLE: Square = { left: -MARGIN, bottom: -MARGIN, size: 1 + 2 * MARGIN };
 
 /** On each side of the shapes, as a part of their extent: the plane around them is seen to give way. */
 const AIR = 0.2;
@@ -19,6 +19,22 @@ const LEAST_AIR = 0.06;
 const LOOSE = 0.7;
 /** No closer than this. */
 const LEAST = 0.3;
+
+type Point = { readonly x: number; readonly y: number };
+
+/** What is to be seen of two shapes and what ties them. */
+export function seenOf({
+  reference,
+  template,
+  pins,
+}: {
+  readonly reference: readonly Float64Array[];
+  readonly template: readonly Float64Array[];
+  readonly pins: readonly { readonly reference: Point; readonly template: Point }[];
+}): readonly Float64Array[] {
+  const ends = pins.flatMap(({ reference: p, template: q }) => [p.x, p.y, q.x, q.y]);
+  return [...reference, ...template, Float64Array.from(ends)];
+}
 
 /**
  * The square around the shapes, with room for a legend or without; `before`, one of the same kind, stays as long as it

@@ -4,41 +4,28 @@
 // finished match drawn, and both again for a visit that the service worker answers without the network. `-- --json`
 // prints only the line for machines.
 
-import { buildPage } from "../scripts/build.mjs";
-import { chromiumFlags, ensureChromium } from "../scripts/lib/chromium.mjs";
-import { main, root } from "../scripts/lib/process.mjs";
-import { checkNode, ensurePackages } from "../scripts/lib/setup.mjs";
+import { main } from "../scripts/lib/process.mjs";
+import { opened } from "./opened.mjs";
 
 const VISITS = 15;
 const PORT = 4211;
 
 await main(async () => {
-  checkNode();
-  await ensurePackages();
-  await buildPage();
-  const executablePath = await ensureChromium();
-  const { preview } = await import("vite");
-  const { chromium } = await import("@playwright/test");
-
-  const server = await preview({ root, logLevel: "warn", preview: { port: PORT, strictPort: true } });
-  const browser = await chromium.launch({ executablePath, args: chromiumFlags() });
-  /** @type {{ visit: string, interactive: number, matched: number }[]} */
-  const visits = [];
-  try {
+  const visits = await opened(PORT, async (browser) => {
+    /** @type {{ visit: string, interactive: number, matched: number }[]} */
+    const found = [];
     for (let i = 0; i < VISITS; i += 1) {
       const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
       const page = await context.newPage();
       await page.addInitScript(watch);
-      visits.push({ visit: "first", ...(await visited(page)) });
+      found.push({ visit: "first", ...(await visited(page)) });
       await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
       await context.setOffline(true);
-      visits.push({ visit: "again, without the network", ...(await visited(page)) });
+      found.push({ visit: "again, without the network", ...(await visited(page)) });
       await context.close();
     }
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+    return found;
+  });
   const rows = [...new Set(visits.map(({ visit }) => visit))].map((visit) => {
     const of = (/** @type {"interactive" | "matched"} */ what) =>
       visits

@@ -4,10 +4,8 @@
 // the drawing of the frame that was computed from it, at 65 × 65 nodes. Then the delay of mouse events while a long match
 // runs: from their time stamp to the page's handler. `-- --json` prints only the line for machines.
 
-import { buildPage } from "../scripts/build.mjs";
-import { chromiumFlags, ensureChromium } from "../scripts/lib/chromium.mjs";
-import { main, Obstacle, root } from "../scripts/lib/process.mjs";
-import { checkNode, ensurePackages } from "../scripts/lib/setup.mjs";
+import { main, Obstacle } from "../scripts/lib/process.mjs";
+import { opened } from "./opened.mjs";
 
 const EXAMPLES = ["ellipse", "star", "leaf"];
 const EVENTS = 240;
@@ -17,24 +15,11 @@ const PORT = 4210;
 const REACH = 0.05;
 
 await main(async () => {
-  checkNode();
-  await ensurePackages();
-  await buildPage();
-  const executablePath = await ensureChromium();
-  const { preview } = await import("vite");
-  const { chromium } = await import("@playwright/test");
-
-  const server = await preview({ root, logLevel: "warn", preview: { port: PORT, strictPort: true } });
-  const browser = await chromium.launch({ executablePath, args: chromiumFlags() });
-  const rows = [];
-  let delay;
-  try {
+  const { rows, delay } = await opened(PORT, async (browser) => {
+    const rows = [];
     for (const example of EXAMPLES) rows.push(await dragged(browser, example));
-    delay = await whileSolving(browser);
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+    return { rows, delay: await whileSolving(browser) };
+  });
   if (!process.argv.includes("--json")) {
     console.table(rows);
     console.table([{ "input delay while solving": "", ...delay }]);

@@ -1,19 +1,14 @@
 import { useComputed } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
 import { choiceWords, type KeptRun } from "../runs";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
-import { theme } from "../view/palette";
-import { drawResult } from "../view/result";
 import { later } from "../words/later";
 import { adopt } from "./adopt";
 import style from "./earlier.css?inline";
 import { Pair } from "./Pair";
+import { Thumbnail } from "./Thumbnail";
 
 adopt(style);
-
-/** Side of a thumbnail in CSS pixels. */
-const SIDE = 96;
 
 /** The runs so far. Any of them can be shown again, or pinned and compared with what is shown. */
 export function Earlier({ session }: { session: Session }) {
@@ -34,24 +29,9 @@ export function Earlier({ session }: { session: Session }) {
 }
 
 function Entry({ session, run }: { session: Session; run: KeptRun }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(() => {
-    const draw = () => {
-      const context = canvas.current?.getContext("2d");
-      if (!context) return;
-      const side = SIDE * devicePixelRatio;
-      context.canvas.width = side;
-      context.canvas.height = side;
-      const frame = { left: 0, bottom: 0, scale: side, width: side, height: side, ratio: devicePixelRatio / 2 };
-      const { status, deformation, curves } = run.frame;
-      const match = { level: status.level, deformation, curves };
-      drawResult(context, frame, theme(), { ...run, match, morph: 1, bandwidth: bandwidth(run.settings) });
-    };
-    draw();
-    const scheme = matchMedia("(prefers-color-scheme: dark)");
-    scheme.addEventListener("change", draw);
-    return () => scheme.removeEventListener("change", draw);
-  }, [run]);
+  const { status, deformation, curves } = run.frame;
+  const match = { level: status.level, deformation, curves };
+  const scene = { ...run, match, morph: 1, bandwidth: bandwidth(run.settings) };
   const { runs } = session;
   const title = choiceWords(run.settings, {}).join(", ") || later.runs.defaults;
   return (
@@ -61,7 +41,7 @@ function Entry({ session, run }: { session: Session; run: KeptRun }) {
         aria-label={later.runs.show(`${later.runs.run(run.id)}, ${title}`)}
         onClick={() => session.showAgain(run)}
       >
-        <canvas ref={canvas} />
+        <Thumbnail scene={scene} />
       </button>
       <span class="what">
         {later.runs.run(run.id)}: {title}

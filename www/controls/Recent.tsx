@@ -1,21 +1,17 @@
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { decode, type Saved } from "../link/text";
 import type { Kept } from "../memory/sessions";
 import { changedFields, type Session } from "../session";
 import { bandwidth } from "../settings";
 import { PRESETS } from "../shapes/presets";
-import { theme } from "../view/palette";
-import { drawResult } from "../view/result";
 import { memory as words } from "../words/memory";
 import { recent as say } from "../words/recent";
 import { adopt } from "./adopt";
 import style from "./earlier.css?inline";
+import { Thumbnail } from "./Thumbnail";
 
 adopt(style);
-
-/** Side of a thumbnail in CSS pixels. */
-const SIDE = 96;
 
 /** The sessions that this browser keeps: each can be opened again, and deleted. */
 export function Recent({ session }: { session: Session }) {
@@ -64,22 +60,6 @@ function readable(list: readonly Kept[]): readonly Readable[] {
 }
 
 function Entry({ session, kept, saved, remove }: Readable & { session: Session; remove: () => void }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(() => {
-    const draw = () => {
-      const context = canvas.current?.getContext("2d");
-      if (!context) return;
-      const side = SIDE * devicePixelRatio;
-      context.canvas.width = side;
-      context.canvas.height = side;
-      const frame = { left: 0, bottom: 0, scale: side, width: side, height: side, ratio: devicePixelRatio / 2 };
-      drawResult(context, frame, theme(), { ...saved, match: null, bandwidth: bandwidth(saved.settings) });
-    };
-    draw();
-    const scheme = matchMedia("(prefers-color-scheme: dark)");
-    scheme.addEventListener("change", draw);
-    return () => scheme.removeEventListener("change", draw);
-  }, [kept.text]);
   const changed = changedFields(saved.settings).length;
   const title = PRESETS.find(({ id }) => id === saved.preset)?.title ?? say.drawn;
   const what = changed > 0 ? `${title}, ${say.settings(changed)}` : title;
@@ -88,7 +68,7 @@ function Entry({ session, kept, saved, remove }: Readable & { session: Session; 
   return (
     <li>
       <button type="button" aria-label={say.open(what, when)} onClick={() => session.openLink(`#${kept.text}`)}>
-        <canvas ref={canvas} />
+        <Thumbnail key={kept.text} scene={{ ...saved, match: null, bandwidth: bandwidth(saved.settings) }} />
       </button>
       <span class="what">
         {what}

@@ -5,6 +5,7 @@ import { coarsestLevel, finestLevel } from "../settings";
 import { en } from "../words/en";
 import { decimals } from "../words/numbers";
 import { cells, gridName, headline, staleness } from "../words/said";
+import { Bar, Value } from "./Figures";
 import { lazy, view } from "./viewing";
 
 /** What goes on, in words and as machine-readable values. */
@@ -22,17 +23,20 @@ export function StatusPanel({ session }: { session: Session }) {
       </p>
       {status && (
         <dl class={session.stale.value ? "stale" : undefined}>
-          <Value name="level" value={status.level} text={gridName(status.level)} />
-          <Value name="iteration" value={status.iteration} text={String(status.iteration)} />
-          <Value name="total" value={status.energies.total} text={decimals(status.energies.total)} />
+          <Value {...named("level")} value={status.level} text={gridName(status.level)} />
+          {/* What came out best is taken up as it was, without one more. */}
+          {(working || status.iteration > 0) && (
+            <Value {...named("iteration")} value={status.iteration} text={String(status.iteration)} />
+          )}
+          <Value {...named("total")} value={status.energies.total} text={decimals(status.energies.total)} />
           {!working && (
             <>
-              <Value name="mismatch-max" value={status.mismatch.max} {...cells(status.mismatch.max)} />
-              <Value name="mismatch-mean" value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
-              <Value name="cover-max" value={status.cover.max} {...cells(status.cover.max)} />
-              <Value name="measure" value={status.measure} text={decimals(status.measure)} />
+              <Value {...named("mismatch-max")} value={status.mismatch.max} {...cells(status.mismatch.max)} />
+              <Value {...named("mismatch-mean")} value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
+              <Value {...named("cover-max")} value={status.cover.max} {...cells(status.cover.max)} />
+              <Value {...named("measure")} value={status.measure} text={decimals(status.measure)} />
               <Value
-                name="least-determinant"
+                {...named("least-determinant")}
                 value={status.leastDeterminant}
                 text={decimals(status.leastDeterminant)}
               />
@@ -80,25 +84,8 @@ function Resolution({ session }: { session: Session }) {
   );
 }
 
-type Named = keyof typeof en.numbers & string;
-
-/** For machines only what is a number; for people always words. */
-function Value({ name, value, text, unit = "" }: { name: Named; value: number; text: string; unit?: string }) {
-  return (
-    <div>
-      <dt>{en.numbers[name]}</dt>
-      <dd>
-        {Number.isFinite(value) ? (
-          <data data-name={name} value={String(value)}>
-            {text}
-          </data>
-        ) : (
-          text
-        )}
-        {unit && <span class="unit">{unit}</span>}
-      </dd>
-    </div>
-  );
+function named(name: keyof typeof en.numbers & string) {
+  return { name, label: en.numbers[name] };
 }
 
 /** How far the cascade is, as a part of its levels. */
@@ -113,23 +100,5 @@ export function Progress({ session }: { session: Session }) {
   const done = status ? (status.level - coarsest + within) / (finest - coarsest + 1) : 0;
   const percent = Math.round(100 * Math.min(1, Math.max(0, done)));
   // Nor how long the shapes will take.
-  if (!status) {
-    return (
-      <div class="progress unknown" role="progressbar" aria-label={en.result.title}>
-        <div />
-      </div>
-    );
-  }
-  return (
-    <div
-      class="progress"
-      role="progressbar"
-      aria-label={en.result.title}
-      aria-valuemin={0}
-      aria-valuemax={100}
-      aria-valuenow={percent}
-    >
-      <div style={{ inlineSize: `${percent}%` }} />
-    </div>
-  );
+  return <Bar label={en.result.title} percent={status ? percent : null} />;
 }

@@ -1,3 +1,4 @@
+import { Bar, Value } from "../controls/Figures";
 import { isDone, isPaused, isWorking } from "../phase";
 import { en } from "../words/en";
 import { decimals } from "../words/numbers";
@@ -19,18 +20,24 @@ export function Status({ session }: { session: SpaceSession }) {
       <p class="headline">{headline(session)}</p>
       {status && (
         <dl class={session.stale.value ? "stale" : undefined}>
-          <Value name="level" value={status.level} text={say.grid(status.level)} />
-          <Value name="iteration" value={status.iteration} text={String(status.iteration)} />
-          <Value name="total" value={status.energies.total} text={decimals(status.energies.total)} />
+          <Value {...named("level")} value={status.level} text={say.grid(status.level)} />
+          {(working || status.iteration > 0) && (
+            <Value {...named("iteration")} value={status.iteration} text={String(status.iteration)} />
+          )}
+          <Value {...named("total")} value={status.energies.total} text={decimals(status.energies.total)} />
           {!working && (
             <>
-              <Value name="mismatch-max" value={status.mismatch.max} {...cells(status.mismatch.max)} />
-              <Value name="mismatch-mean" value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
-              <Value name="cover-max" value={status.cover.max} {...cells(status.cover.max)} />
-              <Value name="measure" value={status.measure} text={decimals(status.measure)} />
-              <Value name="area-deviation" value={status.stretch.deviation} text={decimals(status.stretch.deviation)} />
+              <Value {...named("mismatch-max")} value={status.mismatch.max} {...cells(status.mismatch.max)} />
+              <Value {...named("mismatch-mean")} value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
+              <Value {...named("cover-max")} value={status.cover.max} {...cells(status.cover.max)} />
+              <Value {...named("measure")} value={status.measure} text={decimals(status.measure)} />
               <Value
-                name="least-determinant"
+                {...named("area-deviation")}
+                value={status.stretch.deviation}
+                text={decimals(status.stretch.deviation)}
+              />
+              <Value
+                {...named("least-determinant")}
                 value={status.leastDeterminant}
                 text={decimals(status.leastDeterminant)}
               />
@@ -69,50 +76,17 @@ export function resultState(session: SpaceSession): string {
   return isDone(phase) ? state.matched(decimals(off)) : state.on(say.grid(status.level));
 }
 
-type Named = keyof typeof say.numbers;
-
-function Value({ name, value, text, unit = "" }: { name: Named; value: number; text: string; unit?: string }) {
-  return (
-    <div>
-      <dt>{say.numbers[name]}</dt>
-      <dd>
-        {Number.isFinite(value) ? (
-          <data data-name={name} value={String(value)}>
-            {text}
-          </data>
-        ) : (
-          text
-        )}
-        {unit && <span class="unit">{unit}</span>}
-      </dd>
-    </div>
-  );
+function named(name: keyof typeof say.numbers) {
+  return { name, label: say.numbers[name] };
 }
 
 /** How far the cascade is, as a part of its levels. */
 export function Progress({ session }: { session: SpaceSession }) {
   if (!isWorking(session.phase.value)) return <div class="progress idle" />;
   const status = session.fresh.value ? session.result.value?.frame.status : undefined;
-  if (!status) {
-    return (
-      <div class="progress unknown" role="progressbar" aria-label={say.actions.match}>
-        <div />
-      </div>
-    );
-  }
+  if (!status) return <Bar label={say.actions.match} percent={null} />;
   // Each level takes as long as all before it, and nobody knows how many iterations it needs.
   const left = Math.max(0, finestLevel(session.step.value.settings) - status.level);
-  const percent = Math.round(100 * 2 ** -left * (0.5 + 0.5 * (status.iteration / (status.iteration + 8))));
-  return (
-    <div
-      class="progress"
-      role="progressbar"
-      aria-label={say.actions.match}
-      aria-valuemin={0}
-      aria-valuemax={100}
-      aria-valuenow={percent}
-    >
-      <div style={{ inlineSize: `${percent}%` }} />
-    </div>
-  );
+  const within = 0.5 + 0.5 * (status.iteration / (status.iteration + 8));
+  return <Bar label={say.actions.match} percent={Math.round(100 * 2 ** -left * within)} />;
 }

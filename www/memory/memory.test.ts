@@ -74,6 +74,32 @@ test("a duplicated tab, which has the other's name, takes another before it writ
   expect(copied.getItem("thinshell:tab")).toBe(duplicate.id);
 });
 
+test("without locks, as without https, a duplicated tab asks whose its name is, and takes another", () => {
+  const ends: { onmessage: ((event: MessageEvent) => void) | null }[] = [];
+  const channel = () => {
+    const end = {
+      onmessage: null,
+      postMessage: (data: unknown) => {
+        for (const other of ends) if (other !== end) other.onmessage?.({ data } as MessageEvent);
+      },
+    };
+    ends.push(end);
+    return end;
+  };
+  const session = fakeStorage();
+  const original = new Tab(() => session, null, channel);
+  const own = original.id;
+  const copied = fakeStorage();
+  copied.setItem("thinshell:tab", own);
+  const duplicate = new Tab(() => copied, null, channel);
+  expect(duplicate.id).not.toBe(own);
+  expect(copied.getItem("thinshell:tab")).toBe(duplicate.id);
+  expect(original.id).toBe(own);
+  // A reload ends the old one first: it finds its name again.
+  ends.splice(0, 1);
+  expect(new Tab(() => session, null, channel).id).toBe(own);
+});
+
 test("a storage that keeps nothing is told of once, and the address holds the text all the same", () => {
   const memory = new Memory(new Sessions(() => fakeStorage(0)), { id: "a" });
   let told = 0;

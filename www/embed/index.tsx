@@ -24,6 +24,8 @@ export async function embed(root: HTMLElement, engine: Engine): Promise<void> {
   const wish = wished();
   const isSolid = isSpace(location.hash);
   document.documentElement.dataset.embed = isSolid && wish.asked.kind === "compare" ? "result" : wish.asked.kind;
+  // The page around has such landmarks of its own.
+  for (const landmark of document.querySelectorAll("body > header, main")) landmark.ariaLabel = say.title;
   watchSight();
   const opened = open(isSolid ? { hash: "", search: location.search } : location, null);
   const session = new Session(engine, opened, { view, choose }, new Forgetful());

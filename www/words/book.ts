@@ -11,6 +11,7 @@ import type { files } from "./files";
 import type { helps } from "./helps";
 import type { imports } from "./imports";
 import type { captions, later } from "./later";
+import type { lessons } from "./lessons";
 import type { links } from "./links";
 import type { memory } from "./memory";
 import type { numbers } from "./numbers";
@@ -48,6 +49,7 @@ export type Book = {
   readonly later: typeof later;
   readonly captions: typeof captions;
   readonly embed: typeof embed;
+  readonly lessons: typeof lessons;
   readonly links: typeof links;
   readonly save: typeof save;
   readonly memory: typeof memory;
@@ -80,4 +82,5 @@ export type Book = {
   readonly experimentTexts: Readonly<Record<string, ExperimentWords>>;
   readonly indexFile: FileWords;
   readonly experimentsFile: FileWords;
+  readonly lessonsFile: FileWords;
 };

@@ -7,8 +7,9 @@ import { embed } from "./de/embed";
 import { experiments, experimentTexts } from "./de/experiments";
 import { files, imports, links } from "./de/files";
 import { captions, later, memory, offline, recent } from "./de/later";
+import { lessons } from "./de/lessons";
 import { page } from "./de/page";
-import { experimentsFile, indexFile } from "./de/prose";
+import { experimentsFile, indexFile, lessonsFile } from "./de/prose";
 import { save } from "./de/save";
 import { helps, presets, settings } from "./de/settings";
 import { pairsOfSurfaces, space, surfaces, way } from "./de/space";
@@ -18,6 +19,7 @@ export const de: Book = {
   later,
   captions,
   embed,
+  lessons,
   links,
   save,
   memory,
@@ -48,4 +50,5 @@ export const de: Book = {
   experimentTexts,
   indexFile,
   experimentsFile,
+  lessonsFile,
 };

@@ -17,6 +17,7 @@ import { helps } from "./helps";
 import "./imports";
 import { language, page, pages, preferred, speak } from "./language";
 import { captions } from "./later";
+import "./lessons";
 import "./links";
 import "./memory";
 import { decimals } from "./numbers";
@@ -54,6 +55,7 @@ const SAME = [
   "/presets/letters/title",
   "/strokes/ways/flat",
   "/experiments/of",
+  "/lessons/value",
   "/experiments/doing",
   "/outline/roundness",
   "/told/rim",
@@ -70,7 +72,7 @@ const SAME = [
 
 /** Those of the page's files are elements, and those of settings, examples and experiments stand elsewhere. */
 const ELSEWHERE = [
-  ...["indexFile", "experimentsFile", "settings", "presets", "experimentTexts"],
+  ...["indexFile", "experimentsFile", "lessonsFile", "settings", "presets", "experimentTexts"],
   ...["surfaces", "pairsOfSurfaces"],
 ];
 

@@ -25,7 +25,7 @@ export const indexFile: FileWords = {
     { innerHTML: "Elastischer Abgleich zweier Kurven" },
     {
       innerHTML:
-        "Zeichnen Sie zwei Kurven: Die Ebene, mit einer dünnen Schale entlang der ersten, wird verformt, bis diese auf der zweiten liegt.",
+        'Zeichnen Sie zwei Kurven: Die Ebene, mit einer dünnen Schale entlang der ersten, wird verformt, bis diese auf der zweiten liegt. <a href="./lessons.html">Lektionen</a>',
     },
     { innerHTML: "Was Sie sehen" },
     {
@@ -82,6 +82,24 @@ export const experimentsFile: FileWords = {
     {
       innerHTML:
         'Jedes Experiment des Artikels, auf Kurven der Ebene übertragen und hier berechnet, während Sie zusehen. <a href="./index.html">Eigene Formen zeichnen und abgleichen</a>',
+    },
+    footer,
+  ],
+};
+
+export const lessonsFile: FileWords = {
+  root,
+  change,
+  title: { textContent: "thinshell: Lektionen" },
+  description: {
+    content:
+      "Kurze Lektionen über den elastischen Abgleich von Kurven und Flächen, jede mit einem lebenden Bild zum Vorhersagen und Ausprobieren.",
+  },
+  prose: [
+    { innerHTML: "Lektionen" },
+    {
+      innerHTML:
+        'Der elastische Abgleich in kurzen Schritten, jeder neben einem lebenden Bild; die Texte der Lektionen sind Englisch. <a href="./index.html">Eigene Formen zeichnen und abgleichen</a>',
     },
     footer,
   ],

@@ -1,0 +1,53 @@
+/** Um die Lektionen herum; sie selbst sind Englisch. */
+
+import type { Book } from "../book";
+import { decimals } from "../numbers";
+
+export const lessons: Book["lessons"] = {
+  part: "Die Lektion",
+  list: "Alle Lektionen",
+  minutes: (count) => `${count} Minuten`,
+  unknown: (id) => `Eine Lektion „${id}“ gibt es hier nicht.`,
+  teacher: "Anmerkungen für Lehrende",
+  forTeacher: "Für Lehrende",
+  solution: "Eine Lösung zeigen",
+  steps: "Schritte",
+  step: (index, count) => `Schritt ${index} von ${count}`,
+  previous: "Zurück",
+  next: "Weiter",
+  end: "Zu allen Lektionen",
+  predict: "Erst vorhersagen",
+  answer: "Die Antwort zeigen",
+  task: "Aufgabe",
+  check: "Prüfen",
+  frame: (title) => `Lebendes Bild: ${title}`,
+  again: "Diesen Schritt neu beginnen",
+  checked: { right: "Richtig.", wrong: "Noch nicht." },
+  unmatched:
+    "Was jetzt gewählt ist, ist noch nicht abgeglichen: Drücken Sie „Abgleichen“, oder warten Sie, bis es fertig ist.",
+  silent: "Das Bild antwortet nicht; beginnen Sie diesen Schritt neu.",
+  holds: (what, found, sign, wanted) => `${what}: ${found}, verlangt ${sign} ${wanted}`,
+  signs: { "<": "weniger als", ">": "mehr als", "<=": "höchstens", ">=": "mindestens", "=": "genau" },
+  numbers: {
+    "stretch.mean": "Mittlere Streckung",
+    "stretch.deviation": "Streuung der Streckung",
+    "mismatch.mean": "Mittlerer Abstand, Zellen",
+    "mismatch.max": "Größter Abstand, Zellen",
+    "cover.mean": "Ziel im Mittel verfehlt, Zellen",
+    "cover.max": "Ziel verfehlt um, Zellen",
+    measure: "Längenverhältnis",
+    leastDeterminant: "Kleinstes Flächenverhältnis",
+    iteration: "Iterationen",
+    evaluations: "Auswertungen",
+    "energies.membrane": "Energie der Streckung",
+    "energies.bending": "Energie der Biegung",
+    "energies.mismatch": "Energie der Abweichung",
+    "energies.volume": "Energie des Volumens",
+    "energies.total": "Energie",
+  },
+  pins: "Nadeln",
+  shapes: "Beide Formen, wie die Lektion sie gegeben hat",
+  point: (x, y) => `Wohin der Punkt (${decimals(x)}; ${decimals(y)}) geht`,
+  off: (distance) => `${decimals(distance)} Seitenlängen daneben`,
+  value: (value) => (typeof value === "boolean" ? (value ? "ja" : "nein") : String(value)),
+};

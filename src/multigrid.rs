@@ -177,7 +177,7 @@ impl<const D: usize> Level<D> {
         Self {
             operator: StencilOperator::zero(grid),
             galerkin: Galerkin::new(grid),
-            inverse: vec![[0.0; LANES]; layout.rows() * layout.groups() * StencilOperator::<D>::BLOCK],
+            inverse: vec![[0.0; LANES]; layout.rows() * layout.groups * StencilOperator::<D>::BLOCK],
             right: vec![0.0; count],
             solution: vec![0.0; count],
             residual: vec![0.0; count],
@@ -195,8 +195,8 @@ impl<const D: usize> Level<D> {
     }
 
     fn invert_blocks<const B: usize, const H: usize>(&mut self) {
-        let (side, groups) = (self.layout.side(), self.layout.groups());
-        let own = &self.operator.padded::<B, H>()[self.layout.margin() * groups..];
+        let (side, groups) = (self.layout.side(), self.layout.groups);
+        let own = &self.operator.padded::<B, H>()[self.layout.margin * groups..];
         for (number, inverse) in self.inverse.as_chunks_mut::<B>().0.iter_mut().enumerate() {
             let centre = &own[number][0];
             for lane in 0..LANES.min(side - number % groups * LANES) {

@@ -21,6 +21,10 @@ pub type Group<const B: usize, const H: usize> = [[[f32; LANES]; B]; H];
 #[derive(Clone)]
 pub struct StencilOperator<const D: usize> {
     grid: Grid<D>,
+    /// Rows of zeros before the first and after the last.
+    margin: usize,
+    /// Groups a row.
+    groups: usize,
     /// [`Group`]s, row by row; the last of a row is filled up with zeros, at least one.
     numbers: Vec<f32>,
 }
@@ -38,8 +42,10 @@ impl<const D: usize> StencilOperator<D> {
     const GROUP: usize = Self::ROW * LANES;
 
     pub fn zero(grid: Grid<D>) -> Self {
-        let rows = grid.node_count() / grid.side() + 2 * margin_of(grid);
-        Self { grid, numbers: vec![0.0; rows * groups_a_row(grid) * Self::GROUP] }
+        let margin = (0..D - 1).map(|axis| grid.stride(axis)).sum();
+        let groups = grid.side() / LANES + 1;
+        let rows = grid.node_count() / grid.side() + 2 * margin;
+        Self { grid, margin, groups, numbers: vec![0.0; rows * groups * Self::GROUP] }
     }
 
     pub fn grid(&self) -> Grid<D> {
@@ -49,12 +55,12 @@ impl<const D: usize> StencilOperator<D> {
     /// Rows of zeros before the first and after the last: a neighbour beyond the grid needs no case of its own. Across
     /// an edge of the box, its row is one on the other side, whose blocks back across that edge are zero too.
     pub fn margin(&self) -> usize {
-        margin_of(self.grid)
+        self.margin
     }
 
     /// Groups of nodes a row.
     pub fn groups(&self) -> usize {
-        groups_a_row(self.grid)
+        self.groups
     }
 
     pub fn clear(&mut self) {
@@ -98,7 +104,7 @@ impl<const D: usize> StencilOperator<D> {
     /// Where the numbers of a block begin, and those of the next neighbour's after them. They are LANES apart.
     #[inline(always)]
     fn place(&self, row: usize, column: usize, neighbour: usize) -> usize {
-        let group = (margin_of(self.grid) + row) * groups_a_row(self.grid) + column / LANES;
+        let group = (self.margin + row) * self.groups + column / LANES;
         group * Self::GROUP + (neighbour - Self::CENTRE) * Self::BLOCK * LANES + column % LANES
     }
 
@@ -183,14 +189,6 @@ fn add_to<const D: usize>(
     for (sum, lanes) in numbers.iter_mut().zip(block.as_flattened()) {
         *sum = (F32x4::from(*sum) + F32x4::from(made_of(lanes.to_array()))).to_array();
     }
-}
-
-fn margin_of<const D: usize>(grid: Grid<D>) -> usize {
-    (0..D - 1).map(|axis| grid.stride(axis)).sum()
-}
-
-fn groups_a_row<const D: usize>(grid: Grid<D>) -> usize {
-    grid.side() / LANES + 1
 }
 
 #[cfg(test)]

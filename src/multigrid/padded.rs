@@ -16,6 +16,9 @@ pub(super) struct Layout<const D: usize> {
     grid: Grid<D>,
     /// Numbers a line.
     pub line: usize,
+    /// Rows of zeros before an operator's first, and groups of nodes a row.
+    pub margin: usize,
+    pub groups: usize,
     /// How much further than a node's numbers those of its neighbour in a slot of the stored half sit.
     pub shifts: [usize; MAX_NEIGHBOURS],
     /// How many rows of the grid later that neighbour's row comes.
@@ -24,7 +27,9 @@ pub(super) struct Layout<const D: usize> {
 
 impl<const D: usize> Layout<D> {
     pub fn new(grid: Grid<D>) -> Self {
-        let line = BEFORE + (grid.side() / LANES + 1) * LANES;
+        let groups = grid.side() / LANES + 1;
+        let line = BEFORE + groups * LANES;
+        let margin = (0..D - 1).map(|axis| grid.stride(axis)).sum();
         // Rows between a node's and its neighbour's if there are `side` of them along an axis.
         let rows = |offset: &[isize; D], side: usize| {
             offset[1..].iter().rev().fold(0, |sum, &o| sum * side as isize + o) as usize
@@ -35,7 +40,7 @@ impl<const D: usize> Layout<D> {
             shifts[slot] = (rows(&offset, grid.side() + 2) * D * line).wrapping_add_signed(offset[0]);
             strides[slot] = rows(&offset, grid.side());
         }
-        Self { grid, line, shifts, strides }
+        Self { grid, line, margin, groups, shifts, strides }
     }
 
     /// Numbers of a vector.
@@ -52,16 +57,6 @@ impl<const D: usize> Layout<D> {
     /// Lines of nodes along x.
     pub fn rows(&self) -> usize {
         self.grid.node_count() / self.grid.side()
-    }
-
-    /// Groups of nodes a row.
-    pub fn groups(&self) -> usize {
-        self.side() / LANES + 1
-    }
-
-    /// Rows of zeros before an operator's first.
-    pub fn margin(&self) -> usize {
-        (0..D - 1).map(|axis| self.grid.stride(axis)).sum()
     }
 
     /// The position of the first component of the first node of a row.

@@ -139,7 +139,7 @@ impl<const D: usize> Layout<D> {
         residual: &mut Nodes,
         scratch: &mut Scratch<D>,
     ) {
-        let (side, rows, groups) = (self.side(), self.rows(), self.groups());
+        let (side, rows, groups) = (self.side(), self.rows(), self.groups);
         let blocks = operator.padded::<B, H>();
         let (inverse, _) = inverse.as_chunks::<B>();
         // A row's residual waits for the rows that its neighbours lie in.
@@ -213,7 +213,7 @@ impl<const D: usize> Layout<D> {
             let start = self.row_start(row);
             self.gather_earlier(blocks, row, x, scratch);
             let mut left = [f32x4::ZERO; D];
-            let own = self.own(blocks, row).iter().zip(&inverse[row * self.groups()..]).enumerate();
+            let own = self.own(blocks, row).iter().zip(&inverse[row * self.groups..]).enumerate();
             for (group, (own, inverse)) in own {
                 let first = start + group * LANES;
                 let mut sum = self.earlier_sum(group, scratch);
@@ -239,7 +239,7 @@ impl<const D: usize> Layout<D> {
     /// The groups of a row.
     #[inline(always)]
     fn own<'a, const B: usize, const H: usize>(&self, blocks: &'a [Group<B, H>], row: usize) -> &'a [Group<B, H>] {
-        &blocks[(self.margin() + row) * self.groups()..][..self.groups()]
+        &blocks[(self.margin + row) * self.groups..][..self.groups]
     }
 
     /// Sums A_jiᵀ x_j over the earlier rows' nodes j into the scratch.
@@ -252,13 +252,13 @@ impl<const D: usize> Layout<D> {
         scratch: &mut Scratch<D>,
     ) {
         let start = self.row_start(row);
-        for group in 0..self.groups() {
+        for group in 0..self.groups {
             let mut sums = [[f32x4::ZERO; D]; A_ROW];
             for earlier in 0..(H - OWN) / A_ROW {
                 let first = OWN + A_ROW * earlier;
                 // The slot in the middle does not move along x.
                 let (stride, shift) = (self.strides[first + 1], self.shifts[first + 1]);
-                let stored = &blocks[(self.margin() + row - stride) * self.groups() + group];
+                let stored = &blocks[(self.margin + row - stride) * self.groups + group];
                 let x = self.take(x, start - shift + group * LANES);
                 for (along, sum) in sums.iter_mut().enumerate() {
                     add_turned_product(sum, &stored[first + along], &x);

@@ -140,8 +140,64 @@ test("a drag turns, and two views show numbers with their legend", async ({ page
   await page.getByLabel("Plane at").fill("62");
   await expect.poll(() => picture(result(page))).not.toBe(last);
   last = await picture(result(page));
-  await page.getByLabel("Morph", { exact: true }).fill("0");
+  await page.getByRole("slider", { name: "Morph" }).fill("0");
   await expect.poll(() => picture(result(page))).not.toBe(last);
+});
+
+test("what is under the pointer has its partner in the other views", async ({ page }) => {
+  await page.goto(SMALL);
+  await finished(page);
+  const marks = page.locator(".partner");
+  await expect(marks).toHaveCount(0);
+  await surface(page, "Reference").hover();
+  await expect(marks).toHaveCount(3);
+  // The ellipsoid is longer along x: what is beside the middle of the sphere goes farther out.
+  const box = await result(page).boundingBox();
+  if (!box) throw new Error("the result is not on the page");
+  await page.mouse.move(box.x + 4, box.y + box.height - 30);
+  await expect(marks).toHaveCount(0);
+});
+
+test("the match after each grid can be looked back to, and plays", async ({ page }) => {
+  test.slow();
+  await page.goto("./#space=1&finest=4&coarsest=3&reference=torus&template=torus-bent");
+  await finished(page);
+  // A single level has nothing to look back to.
+  await expect(page.getByLabel("Match after the grid")).toHaveCount(0);
+  await page.locator("summary", { hasText: "Settings" }).click();
+  await page.getByLabel("Finest grid").selectOption({ label: "33³" });
+  await button(page, "Match").click();
+  await finished(page);
+  const last = await picture(result(page));
+  await page.getByLabel("Match after the grid").selectOption("17³");
+  await expect.poll(() => picture(result(page))).not.toBe(last);
+  await page.getByLabel("Match after the grid").selectOption("33³");
+  await expect.poll(() => picture(result(page))).toBe(last);
+  await page.getByLabel("How the morph plays").selectOption("again and again");
+  await button(page, "Play the morph").click();
+  await expect(button(page, "Stop the morph")).toBeVisible();
+  await expect.poll(() => picture(result(page))).not.toBe(last);
+});
+
+test("the morph of surfaces is saved as a film", async ({ page }) => {
+  test.slow();
+  const { errors } = watch(page);
+  await page.goto(SMALL);
+  await finished(page);
+  const gif = await saved(page, "Morph as GIF");
+  expect(gif).toMatch(/^GIF89a/);
+  // Frames that differ, not one that stands.
+  expect(gif.length).toBeGreaterThan(20_000);
+  const video = await saved(page, "Morph as video");
+  expect(video.slice(0, 4)).toBe("\x1aE\xdf\xa3");
+  expect(ours(errors)).toEqual([]);
+});
+
+test("examples have pictures of their surfaces", async ({ page }) => {
+  test.slow();
+  await page.goto(SMALL);
+  const pictures = page.locator(".presets .thumb img");
+  await expect(pictures).toHaveCount(22, { timeout: 60_000 });
 });
 
 test("a dropped PLY is matched, saved, and there again after a reload", async ({ page }) => {

@@ -37,23 +37,25 @@ function morphAt(part: number): number {
   return (1 - Math.cos(Math.PI * Math.max(0, rise))) / 2;
 }
 
+/** Paints a part 0…1 of the way onto the whole of a canvas. */
+export type PaintPart = (canvas: HTMLCanvasElement, morph: number) => CanvasRenderingContext2D;
+
 /** Records in real time, some four seconds. Null where the browser records none, or nothing. */
 export async function video(sceneAt: SceneAt, square: Square, colours: Theme, draw: Draw): Promise<Film | null> {
-  const type = videoType();
-  return type ? recorded(type, sceneAt, square, colours, draw).catch(() => null) : null;
+  return filmed((canvas, morph) => paint(canvas, square, sceneAt(morph), colours, draw));
 }
 
-async function recorded(
-  type: string,
-  sceneAt: SceneAt,
-  square: Square,
-  colours: Theme,
-  draw: Draw,
-): Promise<Film | null> {
+/** The same of whatever can be painted. */
+export async function filmed(paintPart: PaintPart): Promise<Film | null> {
+  const type = videoType();
+  return type ? recorded(type, paintPart).catch(() => null) : null;
+}
+
+async function recorded(type: string, paintPart: PaintPart): Promise<Film | null> {
   const canvas = document.createElement("canvas");
   canvas.width = VIDEO_SIDE;
   canvas.height = VIDEO_SIDE;
-  paint(canvas, square, sceneAt(0), colours, draw);
+  paintPart(canvas, 0);
   const stream = canvas.captureStream(VIDEO_RATE);
   const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: VIDEO_BITS_PER_SECOND });
   const pieces: Blob[] = [];
@@ -65,7 +67,7 @@ async function recorded(
   recorder.start();
   const begin = performance.now();
   for (let part = 0; part < 1; part = (performance.now() - begin) / VIDEO_MILLIS) {
-    paint(canvas, square, sceneAt(morphAt(part)), colours, draw);
+    paintPart(canvas, morphAt(part));
     await pause(1000 / VIDEO_RATE);
   }
   recorder.stop();
@@ -77,13 +79,16 @@ async function recorded(
   return { blob: new Blob(pieces, { type: bare }), extension: bare === "video/mp4" ? "mp4" : "webm" };
 }
 
-/** Plays everywhere and for ever. One palette for all frames, from both ends of the morph and its middle. */
 export async function gif(sceneAt: SceneAt, square: Square, colours: Theme, draw: Draw): Promise<Film> {
+  return animated((canvas, morph) => paint(canvas, square, sceneAt(morph), colours, draw));
+}
+
+/** Plays everywhere and for ever. One palette for all frames, from both ends of the morph and its middle. */
+export async function animated(paintPart: PaintPart): Promise<Film> {
   const canvas = document.createElement("canvas");
   canvas.width = GIF_SIDE;
   canvas.height = GIF_SIDE;
-  const pixels = (morph: number) =>
-    paint(canvas, square, sceneAt(morph), colours, draw).getImageData(0, 0, GIF_SIDE, GIF_SIDE).data;
+  const pixels = (morph: number) => paintPart(canvas, morph).getImageData(0, 0, GIF_SIDE, GIF_SIDE).data;
   const typical = [0, 0.5, 1];
   const samples = new Uint8ClampedArray(typical.length * 4 * GIF_SIDE * GIF_SIDE);
   typical.forEach((morph, i) => {

@@ -1,6 +1,7 @@
 import { space as say } from "../words/space";
 import { PAIRS, surface } from "./gallery";
 import type { SpaceSession } from "./session";
+import { Thumb } from "./Thumb";
 
 export function Examples({ session }: { session: SpaceSession }) {
   const { reference, template } = session.step.value;
@@ -22,6 +23,10 @@ export function Examples({ session }: { session: SpaceSession }) {
                 session.start();
               }}
             >
+              <span class="thumbs" aria-hidden="true">
+                <Thumb id={pair.reference} />
+                <Thumb id={pair.template} />
+              </span>
               {pair.name}
             </button>
           </li>

@@ -1,3 +1,4 @@
+import { isWorking } from "../phase";
 import { space as say } from "../words/space";
 import { Slide } from "./Slide";
 import type { SpaceSession, View } from "./session";
@@ -62,5 +63,30 @@ export function PlaneChoice({ session }: { session: SpaceSession }) {
         }}
       />
     </div>
+  );
+}
+
+/** The match as it was after each level: what a coarse grid sees, and what a fine one adds. */
+export function LevelChoice({ session }: { session: SpaceSession }) {
+  const levels = session.levels.value;
+  if (levels.length < 2 || isWorking(session.phase.value)) return null;
+  const last = levels[levels.length - 1];
+  return (
+    <label class="morph level">
+      <span>{say.after}</span>
+      <select
+        value={String(session.chosenLevel.value ?? last)}
+        onChange={(event) => {
+          const level = Number(event.currentTarget.value);
+          session.chosenLevel.value = level === last ? null : level;
+        }}
+      >
+        {levels.map((level) => (
+          <option key={level} value={String(level)}>
+            {say.grid(level)}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }

@@ -2,6 +2,7 @@ import { effect, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { space as say } from "../words/space";
 import { keyed, orbited, type Pose, panned, zoomed } from "./camera";
+import { Mark, point, type Shown } from "./partners";
 import type { SpaceSession } from "./session";
 import { type Scene, Stage } from "./stage";
 
@@ -12,12 +13,14 @@ type Properties = {
   readonly label: string;
   readonly role: "application" | "img";
   readonly id: string;
+  /** Whose surface it shows: what is under the pointer has its partner in the other views. */
+  readonly shown: Shown;
   /** Told of the canvas's drawing, for pictures; null when there is none. */
   readonly staged?: (stage: Stage | null) => void;
 };
 
 /** A scene that can be turned, moved and zoomed by mouse, fingers and keys; every view turns with it. */
-export function SolidCanvas({ session, scene, morph, label, role, id, staged }: Properties) {
+export function SolidCanvas({ session, scene, morph, label, role, id, shown, staged }: Properties) {
   const canvas = useRef<HTMLCanvasElement>(null);
 
   useEffect(() => {
@@ -32,11 +35,11 @@ export function SolidCanvas({ session, scene, morph, label, role, id, staged }: 
     }
     staged?.(stage);
     let pending = 0;
-    let shown: Scene | null = null;
+    let drawn: Scene | null = null;
     const draw = () => {
       pending = 0;
-      if (shown !== scene.peek()) stage.show(scene.peek());
-      shown = scene.peek();
+      if (drawn !== scene.peek()) stage.show(scene.peek());
+      drawn = scene.peek();
       stage.draw(session.pose.peek(), morph.peek());
     };
     const invalidate = () => {
@@ -67,15 +70,22 @@ export function SolidCanvas({ session, scene, morph, label, role, id, staged }: 
     session.pose.value = pose;
   };
   return (
-    <canvas
-      ref={canvas}
-      tabIndex={0}
-      role={role}
-      id={id}
-      aria-label={label}
-      aria-describedby="space-keys"
-      onKeyDown={press}
-    />
+    <>
+      <canvas
+        ref={canvas}
+        tabIndex={0}
+        role={role}
+        id={id}
+        aria-label={label}
+        aria-describedby="space-keys"
+        onKeyDown={press}
+        onPointerMove={(event) => point(session, shown, event)}
+        onPointerLeave={() => {
+          session.partners.value = null;
+        }}
+      />
+      <Mark session={session} shown={shown} morph={morph} canvas={canvas} />
+    </>
   );
 }
 

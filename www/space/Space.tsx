@@ -8,7 +8,7 @@ import { space as say } from "../words/space";
 import { Actions } from "./Actions";
 import { useDrops, useTitle } from "./document";
 import { Examples } from "./Examples";
-import { PlaneChoice, ViewPicker } from "./Looks";
+import { LevelChoice, PlaneChoice, ViewPicker } from "./Looks";
 import { Morph } from "./Morph";
 import { Problem, Spoken } from "./Said";
 import { Save } from "./Save";
@@ -33,9 +33,10 @@ type Properties = { readonly session: SpaceSession; readonly ways: Ways };
 /** The page while it is about surfaces: the same places as for curves. */
 export function Space({ session, ways }: Properties) {
   const dark = useDark();
-  const scale = useComputed(() => scaleOf(session.result.value, session.view.value, dark.value));
+  const moving = useComputed(() => !session.result.value?.frame.status.finished);
+  const scale = useComputed(() => scaleOf(session.shown.value, session.view.value, dark.value, moving.value));
   const paint = useComputed<Paint>(() => ({
-    result: session.result.value,
+    result: session.shown.value,
     view: session.view.value,
     plane: session.plane.value,
     scale: scale.value,
@@ -79,6 +80,7 @@ export function Space({ session, ways }: Properties) {
                 morph={STILL}
                 role="application"
                 label={say.surface[side]}
+                shown={side}
                 id={`${side}-surface`}
               />
             </div>
@@ -100,7 +102,7 @@ export function Space({ session, ways }: Properties) {
               {say.actions.match}
             </h2>
             <ViewPicker session={session} />
-            <Save session={session} stage={stage} />
+            <Save session={session} stage={stage} scene={result} />
           </header>
           <div class="stage">
             <div class="surface">
@@ -112,6 +114,7 @@ export function Space({ session, ways }: Properties) {
                   morph={session.morph}
                   role="img"
                   label={`${say.result}: ${resultState(session)}`}
+                  shown="result"
                   id="result-surface"
                   staged={staged}
                 />
@@ -124,6 +127,7 @@ export function Space({ session, ways }: Properties) {
             </div>
           </div>
           {session.view.value === "slice" && <PlaneChoice session={session} />}
+          <LevelChoice session={session} />
           <Morph session={session} />
         </div>
         <Status session={session} />

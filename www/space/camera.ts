@@ -1,7 +1,7 @@
 /** Where the box is looked at from: the same for every view. No DOM. */
 
 import { space as say } from "../words/space";
-import type { Vector } from "./solid";
+import { cross, dot, minus, unit, type Vector } from "./solid";
 
 export type Pose = {
   /** Radians to the right of the front, and above it. */
@@ -58,6 +58,40 @@ export function sight({ azimuth, elevation, zoom, right, up }: Pose): { readonly
   const aim = [0, 1, 2].map((k) => 0.5 + right * across[k] + up * above[k]);
   const eye = aim.map((at, k) => at + (DISTANCE / zoom) * away[k]);
   return { eye: eye as unknown as Vector, aim: aim as unknown as Vector };
+}
+
+export type Lens = {
+  readonly eye: Vector;
+  /** Unit vectors: towards the eye, to the right and up in the picture. */
+  readonly away: Vector;
+  readonly right: Vector;
+  readonly up: Vector;
+};
+
+/** Half heights of the picture at a depth of one. */
+const FOCUS = 1 / Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+
+export function lensOf(pose: Pose): Lens {
+  const { eye, aim } = sight(pose);
+  const away = unit(minus(eye, aim));
+  const right = unit(cross([0, 1, 0], away));
+  return { eye, away, right, up: cross(away, right) };
+}
+
+/** Where a point appears, in half heights of the picture from its middle, to the right and up, and how deep it lies. */
+export function projected(
+  { eye, away, right, up }: Lens,
+  point: Vector,
+): readonly [x: number, y: number, depth: number] {
+  const from = minus(point, eye);
+  const depth = -dot(from, away);
+  return [(FOCUS * dot(from, right)) / depth, (FOCUS * dot(from, up)) / depth, depth];
+}
+
+/** From the eye through a place of the picture, as `projected` names it. */
+export function rayThrough({ away, right, up }: Lens, x: number, y: number): Vector {
+  const [a, b, c] = [0, 1, 2].map((k) => (x * right[k] + y * up[k]) / FOCUS - away[k]);
+  return [a, b, c];
 }
 
 /** What a key does to the pose; null where it does nothing. */

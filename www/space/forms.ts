@@ -1,6 +1,6 @@
 /** Closed meshes made by formulas, around the origin, y up. Those of one kind have the same numbering. */
 
-import { cross, dot, type Solid, type Vector } from "./solid";
+import { cross, dot, type Solid, unit, type Vector } from "./solid";
 
 export type Mesh = Pick<Solid, "positions" | "indices">;
 
@@ -245,10 +245,6 @@ export function turned(angle: number): (point: Vector) => Vector {
 export function around(x: number, y: number, z: number, angle: number): Vector {
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   return [x, cos * y - sin * z, sin * y + cos * z];
-}
-
-function unit(v: Vector): Vector {
-  return scaled(v, 1 / Math.hypot(...v));
 }
 
 function scaled([x, y, z]: Vector, factor: number): Vector {

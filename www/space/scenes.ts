@@ -35,9 +35,9 @@ export function mapsOf(result: Result): Maps {
   return maps;
 }
 
-/** Of the view's numbers; null where colours are no numbers, or there are none yet. */
-export function scaleOf(result: Result | null, view: View, dark: boolean): Scale | null {
-  if (!result?.frame.status.finished || view === "colours" || view === "slice") return null;
+/** Of the view's numbers; null where colours are no numbers, or the match is still moving. */
+export function scaleOf(result: Result | null, view: View, dark: boolean, moving: boolean): Scale | null {
+  if (!result || moving || view === "colours" || view === "slice") return null;
   const values = mapsOf(result)[view];
   const scale =
     view === "distance"

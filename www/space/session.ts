@@ -12,7 +12,7 @@ import { Solver } from "../solver";
 import { space as say } from "../words/space";
 import { type Pose, START } from "./camera";
 import type { Plane } from "./slice";
-import type { Solid } from "./solid";
+import type { Solid, Vector } from "./solid";
 
 export type Side = "reference" | "template";
 export const SIDES: readonly Side[] = ["reference", "template"];
@@ -41,6 +41,9 @@ export type Look = {
   readonly plane: Plane;
   readonly pose: Pose;
 };
+
+/** A point of the reference and the one of the template that it goes to. */
+export type Partners = { readonly reference: Vector; readonly template: Vector };
 
 export const FIRST_LOOK: Look = { view: "colours", morph: 1, plane: { axis: 2, part: 0.5 }, pose: START };
 
@@ -76,6 +79,19 @@ export class SpaceSession {
     const last = this.last.value;
     return last && (isRunning(this.state.value) || sameSurfaces(last, this.step.value)) ? last : null;
   });
+  /** The last frame of each level of the run, coarsest first. */
+  private readonly ends = signal<readonly Result[]>([]);
+  /** The level whose match is shown; null for the last. */
+  readonly chosenLevel = signal<number | null>(null);
+  /** Levels that can be looked back to. */
+  readonly levels = computed(() => (this.result.value ? this.ends.value.map(({ frame }) => frame.status.level) : []));
+  /** The match after the chosen level. */
+  readonly shown = computed(() => {
+    const end = this.ends.value.find(({ frame }) => frame.status.level === this.chosenLevel.value);
+    return this.result.value && (end ?? this.result.value);
+  });
+  /** What is under the pointer, and where it belongs. */
+  readonly partners = signal<Partners | null>(null);
   readonly stale = computed(() => {
     const result = this.result.value;
     return result !== null && !isWorking(this.state.value) && !sameSettings(result.settings, this.step.value.settings);
@@ -111,6 +127,8 @@ export class SpaceSession {
     this.advance("start");
     this.sent = this.step.value;
     this.fresh.value = false;
+    this.ends.value = [];
+    this.chosenLevel.value = null;
     const { reference, template, settings } = this.sent;
     this.solver.start(mesh(reference), mesh(template), settings);
   }
@@ -164,7 +182,9 @@ export class SpaceSession {
 
   private receive(frame: SolidFrame): void {
     if (!this.sent) return;
-    this.last.value = { ...this.sent, frame };
+    const result = { ...this.sent, frame };
+    this.last.value = result;
+    this.ends.value = [...this.ends.value.filter((end) => end.frame.status.level < frame.status.level), result];
     this.fresh.value = true;
     this.advance(frame.status.finished ? "finish" : "frame");
   }

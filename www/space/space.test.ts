@@ -1,9 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { keyed, orbited, panned, START, sight, spoken, zoomed } from "./camera";
+import { keyed, lensOf, orbited, panned, projected, rayThrough, START, sight, spoken, zoomed } from "./camera";
 import { colours } from "./colours";
 import { PAIRS, SURFACES, surface } from "./gallery";
 import { decode, encode } from "./link";
 import { nearest } from "./measure";
+import { picked, pointOf } from "./pick";
 import { FIRST_LOOK } from "./session";
 import { cut, gridLines } from "./slice";
 import { areaRatios, normals, type Solid, volume } from "./solid";
@@ -172,6 +173,37 @@ describe("the camera", () => {
   test("is said in words", () => {
     expect(spoken({ ...START, azimuth: 0, elevation: 0 })).toBe("Seen from the front, zoom 1.0");
     expect(spoken(START)).toBe("Seen 34° from the right, 23° from above, zoom 1.0");
+  });
+});
+
+describe("what is under the pointer", () => {
+  const lens = lensOf(START);
+  const { positions, indices } = made("ellipsoid");
+
+  test("is the point that is seen there, not the one behind it", () => {
+    for (const [x, y] of [
+      [0, 0],
+      [0.2, 0.1],
+      [-0.3, -0.15],
+    ]) {
+      const hit = picked(lens.eye, rayThrough(lens, x, y), positions, indices);
+      if (!hit) throw new Error("the ellipsoid is in the middle");
+      const point = pointOf(hit, positions, indices);
+      const [right, up, depth] = projected(lens, point);
+      expect(right).toBeCloseTo(x, 9);
+      expect(up).toBeCloseTo(y, 9);
+      expect(depth).toBeLessThan(2);
+      expect(hit.weights.reduce((sum, weight) => sum + weight)).toBeCloseTo(1, 12);
+    }
+    expect(picked(lens.eye, rayThrough(lens, 0.95, 0.95), positions, indices)).toBeNull();
+  });
+
+  test("goes where its triangle goes", () => {
+    const hit = picked(lens.eye, rayThrough(lens, 0.1, 0), positions, indices);
+    if (!hit) throw new Error("the ellipsoid is in the middle");
+    const [x, y, z] = pointOf(hit, positions, indices);
+    const doubled = positions.map((at) => 2 * at);
+    for (const [k, at] of pointOf(hit, doubled, indices).entries()) expect(at).toBeCloseTo(2 * [x, y, z][k], 9);
   });
 });
 

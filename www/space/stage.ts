@@ -145,6 +145,11 @@ export class Stage {
     this.paint(pose, morph, clientWidth || 1, clientHeight || 1, devicePixelRatio);
   }
 
+  /** At another size, for films; on a canvas that is not on the page. */
+  still(pose: Pose, morph: number, side: number): void {
+    this.paint(pose, morph, side, side, 1);
+  }
+
   /** At another size, for print; what is on the page is drawn anew afterwards. */
   async picture(pose: Pose, morph: number, side: number): Promise<Blob> {
     this.paint(pose, morph, side, side, 1);

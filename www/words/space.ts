@@ -102,9 +102,8 @@ export const space = page("space", {
     "area-deviation": "Area ratio varies by",
     "least-determinant": "Least volume ratio",
   },
+  after: "Match after the grid",
   nothing: "none: the grid does not see the surface",
-  morph: "Morph",
-  morphPart: (percent: number) => `${percent} % of the deformation`,
 
   settings: "Settings",
   changed: (count: number) => (count > 0 ? ` (${count} changed)` : ""),
@@ -114,7 +113,15 @@ export const space = page("space", {
     "Nodes of the last grid. 33³ takes seconds; each next one takes about ten times as long and eight times the memory.",
 
   save: "Save",
-  formats: { png: "Picture (PNG)", ply: "Matched surface (PLY)", json: "Everything (JSON)" },
+  formats: {
+    png: "Picture (PNG)",
+    ply: "Matched surface (PLY)",
+    json: "Everything (JSON)",
+    video: "Morph as video",
+    gif: "Morph as GIF",
+  },
+  saving: "Saving …",
+  films: "What makes films",
   notSaved: (what: string, why: string) => `${what} could not be saved. ${why}`,
   noMatch: "There is no match to save yet; press Match first.",
 

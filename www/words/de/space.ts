@@ -107,9 +107,8 @@ export const space: Book["space"] = {
     "area-deviation": "Flächenverhältnis streut um",
     "least-determinant": "Kleinstes Volumenverhältnis",
   },
+  after: "Abgleich nach dem Gitter",
   nothing: "keiner: Das Gitter sieht die Fläche nicht",
-  morph: "Übergang",
-  morphPart: (percent) => `${percent} % der Verformung`,
 
   settings: "Einstellungen",
   changed: (count) => (count > 0 ? ` (${count} geändert)` : ""),
@@ -119,7 +118,15 @@ export const space: Book["space"] = {
     "Knoten des letzten Gitters. 33³ dauert Sekunden; jedes weitere dauert etwa zehnmal so lang und braucht achtmal so viel Speicher.",
 
   save: "Speichern",
-  formats: { png: "Bild (PNG)", ply: "Zugeordnete Fläche (PLY)", json: "Alles (JSON)" },
+  formats: {
+    png: "Bild (PNG)",
+    ply: "Zugeordnete Fläche (PLY)",
+    json: "Alles (JSON)",
+    video: "Übergang als Video",
+    gif: "Übergang als GIF",
+  },
+  saving: "Wird gespeichert …",
+  films: "was Filme macht",
   notSaved: (what, why) => `Nicht gespeichert: ${what}. ${why}`,
   noMatch: "Es gibt noch keinen Abgleich zu speichern; drücken Sie erst „Abgleichen“.",
 

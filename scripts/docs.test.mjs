@@ -1,0 +1,62 @@
+// What the documents point to is there.
+
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { expect, test } from "vitest";
+import { root } from "./lib/process.mjs";
+
+const DOCUMENTS = [
+  "README.md",
+  "CONTRIBUTING.md",
+  "CHANGELOG.md",
+  ...readdirSync(join(root, "docs"))
+    .filter((name) => name.endsWith(".md"))
+    .map((name) => `docs/${name}`),
+];
+
+/** Folders whose files are named in the prose as they lie in the repository. */
+const PLACES = /^(src|www|tests|scripts|examples|benches|command|docs|shaders|\.github)\//;
+
+/** Made by commands, or yet to be made. */
+const ABSENT = /^www\/wasm(-\w+)?\/|\/yours\./;
+
+/** @param {string} title as GitHub makes an anchor of it */
+function anchor(title) {
+  return title
+    .trim()
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N} _-]/gu, "")
+    .replaceAll(" ", "-");
+}
+
+test.each(DOCUMENTS)("%s: every link within the repository leads somewhere", (name) => {
+  const text = readFileSync(join(root, name), "utf8").replace(/```[\s\S]*?```/g, "");
+  const lost = [...text.matchAll(/\]\((?!\w+:)([^)\s]*)\)/g)]
+    .map(([, link = ""]) => link)
+    .filter((link) => {
+      const [path = "", part] = link.split("#");
+      const file = path === "" ? join(root, name) : join(root, dirname(name), path);
+      if (!existsSync(file)) return true;
+      if (part === undefined) return false;
+      const titles = [...readFileSync(file, "utf8").matchAll(/^#+ (.*)$/gm)].map(([, title = ""]) => anchor(title));
+      return !titles.includes(part);
+    });
+  expect(lost).toEqual([]);
+});
+
+test.each(DOCUMENTS)("%s: every file that it names is there", (name) => {
+  const text = readFileSync(join(root, name), "utf8").replace(/```[\s\S]*?```/g, "");
+  const lost = [...text.matchAll(/`([\w./-]+\/[\w./-]*)`/g)]
+    .map(([, path = ""]) => path)
+    .filter((path) => PLACES.test(path) && !ABSENT.test(path) && !existsSync(join(root, path)));
+  expect(lost).toEqual([]);
+});
+
+test("the version is the same everywhere", () => {
+  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const found = (/** @type {string} */ file, /** @type {RegExp} */ pattern) =>
+    pattern.exec(readFileSync(join(root, file), "utf8"))?.[1];
+  expect(found("Cargo.toml", /^version = "(.*)"/m)).toBe(version);
+  expect(found("CITATION.cff", /^version: (.*)$/m)).toBe(version);
+  expect(found("CHANGELOG.md", /^## (\d.*)$/m)).toBe(version);
+});

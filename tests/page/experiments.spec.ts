@@ -72,7 +72,7 @@ test("the page opens with every experiment's outcome, and each pair opens in the
 }) => {
   await page.goto("./experiments.html");
   const regions = page.getByRole("region", { name: /./ }).filter({ has: page.getByRole("heading", { level: 2 }) });
-  await expect(regions).toHaveCount(7);
+  await expect(regions).toHaveCount(13);
   for (const region of await regions.all()) {
     await expect(region.getByRole("table").first().or(region.getByRole("img").first()).first()).toBeVisible();
     for (const image of await region.getByRole("img").all()) {

@@ -31,7 +31,7 @@ export type Block =
   /** `name` is the file's, without its ending. */
   | { readonly kind: "figure"; readonly name: string; readonly svg: string; readonly caption: string };
 
-export type Experiment = {
+export type Study = {
   /** Stands in links; never changes. */
   readonly id: string;
   readonly title: string;
@@ -39,15 +39,28 @@ export type Experiment = {
   readonly paper: string;
   /** What is done here: shapes, settings, what is measured. */
   readonly setup: string;
+  /** Whether "short" is another computation than "full". */
+  readonly hasShortForm: boolean;
+  readonly run: (context: Context, size: Size) => Promise<Block[]>;
+};
+
+/** With curves. */
+export type Experiment = Study & {
   /** The pair that says most, to be opened in the page. */
   readonly example: () => {
     readonly reference: Shape;
     readonly template: Shape;
     readonly settings: Partial<Settings>;
   };
-  /** Whether "short" is another computation than "full". */
-  readonly hasShortForm: boolean;
-  readonly run: (context: Context, size: Size) => Promise<Block[]>;
+};
+
+/** With surfaces: the pair that says most is one of the page's gallery. */
+export type SolidExperiment = Study & {
+  readonly example: {
+    readonly reference: string;
+    readonly template: string;
+    readonly settings: Partial<Settings>;
+  };
 };
 
 export function text(...sentences: string[]): Block {

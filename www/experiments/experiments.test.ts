@@ -9,7 +9,7 @@ import type { Context } from "./experiment";
 import { EXPERIMENTS } from "./index";
 import { cascade, singleLevel } from "./levels";
 import { linkTo } from "./link";
-import { document } from "./markdown";
+import { document, OF_CURVES } from "./markdown";
 import { order } from "./measure";
 import { descend } from "./metric";
 import { matchPolygons, readPolygons } from "./polygons";
@@ -194,14 +194,22 @@ describe("the document", () => {
       { kind: "figure", name: "curve", svg: "", caption: "A curve." },
       { kind: "text", text: "A sentence. Another one." },
     ] as const;
-    const read = readDocument(document(EXPERIMENTS.map((experiment) => ({ ...experiment, blocks }))));
+    const read = readDocument(
+      document(
+        OF_CURVES,
+        EXPERIMENTS.map((experiment) => ({ ...experiment, blocks })),
+      ),
+    );
     for (const { title } of EXPERIMENTS) expect(read.get(title)).toEqual(blocks);
   });
 
   it("has every experiment's table and names every figure's file", () => {
     const figure = { kind: "figure", name: "curve", svg: "<svg/>", caption: "A curve." } as const;
     const rows = { kind: "table", head: ["a", "b"], rows: [["1", "x|y"]] } as const;
-    const text = document(EXPERIMENTS.map((experiment) => ({ ...experiment, blocks: [rows, figure] })));
+    const text = document(
+      OF_CURVES,
+      EXPERIMENTS.map((experiment) => ({ ...experiment, blocks: [rows, figure] })),
+    );
     for (const { title, paper, setup } of EXPERIMENTS)
       for (const part of [`## ${title}\n`, paper, setup]) expect(text).toContain(part);
     expect(text).toContain("| a | b |\n| --- | --- |\n| 1 | x\\|y |");

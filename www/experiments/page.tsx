@@ -2,52 +2,81 @@
 
 import { render } from "preact";
 import paper from "../../docs/paper.md?raw";
+import surfaces from "../../docs/surfaces.md?raw";
 import { listenForLanguage } from "../controls/changeLanguage";
 import { begin, readFile } from "../controls/language";
-import { moduleAt } from "../engine";
+import { type Engine, moduleAt } from "../engine";
 import solverUrl from "../wasm/thinshell_bg.wasm?url";
+import solidSolverUrl from "../wasm-solid/thinshell_bg.wasm?url";
 import { experiments as say } from "../words/experiments";
 import { page } from "../words/language";
 import { written } from "../words/numbers";
-import { type Block, type Experiment, seconds } from "./experiment";
+import { type Block, type Study, seconds } from "./experiment";
 import { EXPERIMENTS } from "./index";
 import { linkTo } from "./link";
 import { readDocument } from "./precomputed";
 import { type Run, Runs } from "./runs";
+import { SOLID_EXPERIMENTS } from "./solids/index";
+import { linkToSpace } from "./solids/link";
+import SolidWorker from "./solids/worker?worker&inline";
+import ExperimentWorker from "./worker?worker&inline";
 import "../style.css";
 import "./page.css";
 
 /** The outcome that is kept with the sources, and its figures. */
 /** Under the titles of the sources. */
-const sections = readDocument(paper);
-const BEFOREHAND = new Map(EXPERIMENTS.map(({ id, title }) => [id, sections.get(title) ?? []]));
+const sections = new Map([...readDocument(paper), ...readDocument(surfaces)]);
+const STUDIES: readonly Study[] = [...EXPERIMENTS, ...SOLID_EXPERIMENTS];
+const BEFOREHAND = new Map(STUDIES.map(({ id, title }) => [id, sections.get(title) ?? []]));
 const FIGURES: Record<string, string> = import.meta.glob("../../docs/figures/*.svg", {
   query: "?url",
   import: "default",
   eager: true,
 });
 
+type Shown = { readonly study: Study; readonly link: () => string; readonly engine: Engine };
+type Part = { readonly name: "curves" | "surfaces"; readonly shown: readonly Shown[] };
+
+const planeEngine = { module: moduleAt(solverUrl), spawn: () => new ExperimentWorker() };
+// At once: later nothing needs the network. A failure is said when somebody computes, who then tries again.
+planeEngine.module().catch(() => {});
+/** Fetched only when it is asked for: it is larger, and few come for it. */
+const solidEngine = { module: moduleAt(solidSolverUrl), spawn: () => new SolidWorker() };
+
+const PARTS: readonly Part[] = [
+  {
+    name: "curves",
+    shown: EXPERIMENTS.map((study) => ({ study, link: () => linkTo(study.example()), engine: planeEngine })),
+  },
+  {
+    name: "surfaces",
+    shown: SOLID_EXPERIMENTS.map((study) => ({ study, link: () => linkToSpace(study.example), engine: solidEngine })),
+  },
+];
+
 function App({ runs }: { runs: Runs }) {
   return (
     <>
-      <nav aria-label={say.list}>
-        <ul>
-          {EXPERIMENTS.map(({ id, title }) => (
-            <li key={id}>
-              <a href={`#${id}`}>{title}</a>
-            </li>
-          ))}
-        </ul>
-      </nav>
-      {EXPERIMENTS.map((experiment) => (
-        <Section key={experiment.id} experiment={experiment} runs={runs} />
+      {PARTS.map(({ name, shown }) => (
+        <nav key={name} aria-label={say.lists[name]}>
+          <ul>
+            {shown.map(({ study: { id, title } }) => (
+              <li key={id}>
+                <a href={`#${id}`}>{title}</a>
+              </li>
+            ))}
+          </ul>
+        </nav>
+      ))}
+      {PARTS.flatMap(({ shown }) => shown).map((one) => (
+        <Section key={one.study.id} {...one} runs={runs} />
       ))}
     </>
   );
 }
 
-function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
-  const { id, title, paper, setup, hasShortForm } = experiment;
+function Section({ study, link, engine, runs }: Shown & { runs: Runs }) {
+  const { id, title, paper, setup, hasShortForm } = study;
   const run = runs.of(id).value;
   return (
     <section id={id} class="experiment" aria-labelledby={`${id}-title`}>
@@ -59,7 +88,7 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
         <strong>{say.here}</strong> {setup}
       </p>
       <div class="group">
-        <a class="as-button" href={`./index.html#${linkTo(experiment.example())}`} aria-label={say.of(say.open, title)}>
+        <a class="as-button" href={`./index.html#${link()}`} aria-label={say.of(say.open, title)}>
           {say.open}
         </a>
         {run.kind === "running" ? (
@@ -71,13 +100,17 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
             <button
               type="button"
               class="primary"
-              onClick={() => runs.start(id, hasShortForm ? "short" : "full")}
+              onClick={() => runs.start(id, hasShortForm ? "short" : "full", engine)}
               aria-label={say.of(say.compute, title)}
             >
               {say.compute}
             </button>
             {hasShortForm && (
-              <button type="button" onClick={() => runs.start(id, "full")} aria-label={say.of(say.inFull, title)}>
+              <button
+                type="button"
+                onClick={() => runs.start(id, "full", engine)}
+                aria-label={say.of(say.inFull, title)}
+              >
                 {say.inFull}
               </button>
             )}
@@ -85,13 +118,13 @@ function Section({ experiment, runs }: { experiment: Experiment; runs: Runs }) {
         )}
       </div>
       <State run={run} title={title} />
-      <Outcome experiment={experiment} run={run} />
+      <Outcome study={study} run={run} />
     </section>
   );
 }
 
 /** What has been computed here, and before that what the documents hold. */
-function Outcome({ experiment: { id, title }, run }: { experiment: Experiment; run: Run }) {
+function Outcome({ study: { id, title }, run }: { study: Study; run: Run }) {
   const blocks = run.kind === "done" ? run.blocks : (BEFOREHAND.get(id) ?? []);
   return (
     // What runs write is English in every language.
@@ -193,9 +226,9 @@ function Piece({ block, name }: { block: Block; name: string }) {
 const root = document.getElementById("experiments");
 if (!root) throw new Error("experiments.html has no #experiments");
 readFile("experimentsFile", "h1, .promise, footer p");
-page("experimentTexts", Object.fromEntries(EXPERIMENTS.map((experiment) => [experiment.id, experiment])));
+page("experimentTexts", Object.fromEntries(STUDIES.map((study) => [study.id, study])));
 listenForLanguage(() => {});
-const runs = new Runs(moduleAt(solverUrl));
+const runs = new Runs();
 begin()
   // Where the language does not come, the page goes on in English.
   .catch(() => {})

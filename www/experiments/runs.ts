@@ -3,8 +3,7 @@
 import { type Signal, signal } from "@preact/signals";
 import type { Engine } from "../engine";
 import type { Block, Size } from "./experiment";
-import type { Reply, Request } from "./worker";
-import ExperimentWorker from "./worker?worker&inline";
+import type { Reply, Request } from "./serve";
 
 export type Run =
   | { readonly kind: "idle" }
@@ -15,15 +14,8 @@ export type Run =
 export class Runs {
   /** The experiment that is being computed. */
   readonly current = signal<string | null>(null);
-  private readonly module: Engine["module"];
   private readonly runs = new Map<string, Signal<Run>>();
   private end: () => void = () => {};
-
-  constructor(module: Engine["module"]) {
-    this.module = module;
-    // At once: later nothing needs the network. A failure is said when somebody computes, who then tries again.
-    module().catch(() => {});
-  }
 
   of(id: string): Signal<Run> {
     const known = this.runs.get(id);
@@ -34,13 +26,13 @@ export class Runs {
   }
 
   /** Ends what is being computed, if anything, and computes this one. */
-  async start(id: string, size: Size): Promise<void> {
+  async start(id: string, size: Size, engine: Engine): Promise<void> {
     this.cancel();
     const run = this.of(id);
     this.current.value = id;
     run.value = { kind: "running", size, done: 0, doing: "starting" };
     let cancelled = false;
-    const worker = new ExperimentWorker();
+    const worker = engine.spawn();
     const finish = (state: Run) => {
       worker.terminate();
       this.end = () => {};
@@ -59,7 +51,7 @@ export class Runs {
     worker.onerror = (event) =>
       finish({ kind: "failed", message: event.message || "the browser refuses the page's worker" });
     try {
-      const request: Request = { module: await this.module(), id, size };
+      const request: Request = { module: await engine.module(), id, size };
       if (!cancelled) worker.postMessage(request);
     } catch (problem) {
       if (!cancelled) finish({ kind: "failed", message: problem instanceof Error ? problem.message : String(problem) });

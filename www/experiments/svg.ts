@@ -40,6 +40,8 @@ export type Panel = {
   readonly matched?: Loops;
   /** Lines from every so many points of the reference to their partners. */
   readonly ticks?: boolean;
+  /** An image's address, instead of all that: surfaces are painted, not drawn. */
+  readonly picture?: string;
 };
 
 const GAP = 12;
@@ -104,6 +106,7 @@ function onePanel(panel: Panel, size: number, { left, bottom, side }: Window): s
     closed("reference", panel.reference),
     closed("matched", panel.matched),
     panel.ticks ? ticks(panel, place) : "",
+    panel.picture ? `<image href="${panel.picture}" width="${size}" height="${size}"/>` : "",
     "</svg>",
     panel.note ? `<text x="0" y="${HEAD + size + 15}">${escaped(panel.note)}</text>` : "",
   ];

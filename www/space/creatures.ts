@@ -65,15 +65,29 @@ export const waving = () => grown(WAVING);
 export const hound = () => grown(HOUND);
 export const trotting = () => grown(TROTTING);
 
+/** Farther from a limb than this it has no part in the surface. */
+const REACH = 0.1;
+
 /** The surface of the limbs, around the origin. */
 function grown(limbs: readonly Limb[]): Mesh {
   const side = CELLS + 1;
-  const at = (k: number): Vector =>
-    [k % side, Math.floor(k / side) % side, Math.floor(k / side ** 2)].map(
-      (index) => index / CELLS - 0.5,
-    ) as unknown as Vector;
-  const values = Float64Array.from({ length: side ** 3 }, (_, k) => distance(limbs, at(k)));
-  const { positions, indices } = zeroSetOfBox(CELLS, values);
+  const sums = new Float64Array(side ** 3);
+  for (const limb of limbs) {
+    const [x, y, z] = [0, 1, 2].map((axis) => {
+      const [low, high] = [Math.min, Math.max].map((most) => most(limb.from[axis], limb.to[axis]));
+      const wide = limb.radius + REACH;
+      const node = (at: number) => Math.min(CELLS, Math.max(0, Math.round(CELLS * (at + 0.5))));
+      return [node(low - wide), node(high + wide)] as const;
+    });
+    for (let k = z[0]; k <= z[1]; k += 1)
+      for (let j = y[0]; j <= y[1]; j += 1)
+        for (let i = x[0]; i <= x[1]; i += 1)
+          sums[(k * side + j) * side + i] += weight(limb, [i / CELLS - 0.5, j / CELLS - 0.5, k / CELLS - 0.5]);
+  }
+  const { positions, indices } = zeroSetOfBox(
+    CELLS,
+    sums.map((sum) => (sum > 0 ? level(sum) : 1)),
+  );
   for (let k = 0; k < positions.length; k += 3) {
     const placed: Vector = [positions[k] - 0.5, positions[k + 1] - 0.5, positions[k + 2] - 0.5];
     positions.set(settled(limbs, placed), k);
@@ -100,11 +114,17 @@ function settled(limbs: readonly Limb[], point: Vector): Vector {
 /** About the distance to the limbs' surface, negative inside: a smooth least of theirs. */
 function distance(limbs: readonly Limb[], point: Vector): number {
   let sum = 0;
-  for (const { from, to, radius } of limbs) {
-    const [along, away] = [minus(to, from), minus(point, from)];
-    const part = Math.min(1, Math.max(0, dot(along, away) / (dot(along, along) || 1)));
-    const [x, y, z] = [0, 1, 2].map((k) => away[k] - part * along[k]);
-    sum += Math.exp((radius - Math.hypot(x, y, z)) / (BLEND / 3));
-  }
+  for (const limb of limbs) sum += weight(limb, point);
+  return level(sum);
+}
+
+function level(sum: number): number {
   return (-BLEND / 3) * Math.log(sum);
+}
+
+function weight({ from, to, radius }: Limb, point: Vector): number {
+  const [along, away] = [minus(to, from), minus(point, from)];
+  const part = Math.min(1, Math.max(0, dot(along, away) / (dot(along, along) || 1)));
+  const gap = Math.hypot(away[0] - part * along[0], away[1] - part * along[1], away[2] - part * along[2]);
+  return Math.exp((radius - gap) / (BLEND / 3));
 }

@@ -17,7 +17,9 @@ export type Linked = {
   readonly look: Look;
 };
 
-export function encode({ reference, template, settings }: Step, { view, morph, plane, pose }: Look): string {
+type Named = Pick<Step, "settings"> & Record<"reference" | "template", { readonly id: string }>;
+
+export function encode({ reference, template, settings }: Named, { view, morph, plane, pose }: Look): string {
   const query = new URLSearchParams({ space: "1", reference: reference.id, template: template.id });
   for (const { name } of SPACE_FIELDS) {
     const value = settings[name];

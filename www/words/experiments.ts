@@ -3,7 +3,7 @@
 import { page } from "./language";
 
 export const experiments = page("experiments", {
-  list: "Experiments",
+  lists: { curves: "Experiments with curves", surfaces: "Experiments with surfaces" },
   paper: "In the paper.",
   here: "Here.",
   open: "Open in the page",

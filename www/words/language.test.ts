@@ -3,6 +3,7 @@
 import { afterEach, expect, test } from "vitest";
 import "../pins/words";
 import { EXPERIMENTS } from "../experiments";
+import { SOLID_EXPERIMENTS } from "../experiments/solids";
 import { FIELDS } from "../settings";
 import { PRESETS } from "../shapes/presets";
 import { PAIRS, SURFACES } from "../space/gallery";
@@ -103,7 +104,9 @@ test("every setting, example, surface and experiment has its words", () => {
   expect(Object.keys(de.surfaces).sort()).toEqual(SURFACES.map(({ id }) => id).sort());
   const pairs = PAIRS.map(({ reference, template }) => `${reference} ${template}`);
   expect(Object.keys(de.pairsOfSurfaces).sort()).toEqual(pairs.sort());
-  expect(Object.keys(de.experimentTexts).sort()).toEqual(EXPERIMENTS.map(({ id }) => id).sort());
+  expect(Object.keys(de.experimentTexts).sort()).toEqual(
+    [...EXPERIMENTS, ...SOLID_EXPERIMENTS].map(({ id }) => id).sort(),
+  );
 });
 
 test("no sentence of the one is left in the other", () => {
@@ -159,7 +162,7 @@ test("a page that comes after the language speaks it", async () => {
   await speak("de");
   const late = page(
     "experimentTexts",
-    Object.fromEntries(EXPERIMENTS.map((experiment) => [experiment.id, experiment])),
+    Object.fromEntries([...EXPERIMENTS, ...SOLID_EXPERIMENTS].map((experiment) => [experiment.id, experiment])),
   );
   expect(late.cascade.title).toBe("Algorithmus 1: von grob zu fein");
 });
@@ -186,5 +189,5 @@ test("every caption is German in whole sentences", async () => {
     expect(caption, view).toMatch(/^[A-ZÄÖÜ].*\.$/);
     expect(caption.length, view).toBeGreaterThan(80);
   }
-  expect(experiments.list).toBe("Experimente");
+  expect(experiments.lists.curves).toBe("Experimente mit Kurven");
 });

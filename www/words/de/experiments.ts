@@ -3,7 +3,7 @@
 import type { Book } from "../book";
 
 export const experiments: Book["experiments"] = {
-  list: "Experimente",
+  lists: { curves: "Experimente mit Kurven", surfaces: "Experimente mit Flächen" },
   paper: "Im Artikel.",
   here: "Hier.",
   open: "In der Seite öffnen",
@@ -70,5 +70,46 @@ export const experimentTexts: Book["experimentTexts"] = {
     paper: "Der Artikel nennt die Werte seiner Parameter, ohne sie zu untersuchen.",
     setup:
       "Das Beispiel „Hand → gespreizte Hand“ der Seite, 17² bis 65² Knoten, jeweils eine Einstellung geändert, die anderen wie im Artikel (1/ε = 10³, δ = 0,5, σ = 0,05, ξ = 10⁻³, θ = 0,25).",
+  },
+  spheres: {
+    title: "Flächen, Tabelle 1: Das Flächenverhältnis wird mit der Verfeinerung gleichmäßiger",
+    paper:
+      "Ein Kreis wird mit einer 2,38-mal so langen Ellipse abgeglichen: Mit der dünnen Schale halbiert sich die Streuung der tangentialen Verzerrung mit jeder Verfeinerung, mit der Volumenenergie allein nimmt sie nicht ab.",
+    setup:
+      "Eine Kugel vom Radius 0,16 auf eine vom 2,38-fachen Flächeninhalt, beide in der Mitte des Würfels. Schale: α_bend = 0, σ = 0,05, sonst die Einstellungen des Artikels; nur Volumen: ξ = 1, ζ = 10⁻³, 1/ε = 10⁵ auf allen Stufen, α_mem = α_bend = 0. Jede Zeile ist das Ende einer eigenen Folge von Gittern ab 17³. Gemessen wird die Standardabweichung, nach dem Volumen, des Flächenverhältnisses |cof Dφ n| über alle Gauß-Punkte mit |d₁| < h, und die auf der abgeglichenen Fläche selbst.",
+  },
+  octahedron: {
+    title: "Flächen, Abb. 6 (oben): ein gedrehtes Oktaeder",
+    paper:
+      "Ein gerundetes Oktaeder wird mit sich selbst, gedreht, abgeglichen. Mit dem relativen Formoperator (3) finden Kanten zu Kanten und Ecken zu Ecken; ohne Biegung, und mit der mittleren Krümmung von Gl. (10), nicht.",
+    setup:
+      "Die l¹-Kugel eines geglätteten Betrags, um die Achse durch zwei ihrer Ecken um 15°, 24°, 30° und 44,5° gedreht, von der Identität aus, mit den Einstellungen des Artikels. Bei 45° ist der Anfang symmetrisch, darum ein halbes Grad weniger. Gemessen wird die Drehung um diese Achse, die die Ecken des Netzes von M1 im Sinne der kleinsten Quadrate am besten zu ihren Partnern führt.",
+  },
+  unduloid: {
+    title: "Flächen, Abb. 6 (unten): Abschnitte eines Unduloids",
+    paper:
+      "Zwei Abschnitte eines Unduloids, einer Fläche konstanter mittlerer Krümmung, der zweite entlang der Achse verschoben. Der relative Formoperator (3) unterscheidet Bauch und Hals und findet die Verschiebung; die mittlere Krümmung von Gl. (10) ist überall gleich und findet nichts.",
+    setup:
+      "Echte Unduloide, ihr Profil durch elliptische Integrale (Kenmotsu 1980): Abschnitte von 2,2 Perioden, durch Kugelkappen geschlossen, die sie berühren; im zweiten ist das Profil um 0,1 Perioden (0,0292 Längen des Würfels) verschoben, während die Enden bleiben. Von der Identität aus, mit den Einstellungen des Artikels. Gemessen wird, wie weit sich die Punkte des Bauches (bis zu einer viertel Periode von seiner weitesten Stelle) entlang der Achse bewegt haben, durch die Verschiebung.",
+  },
+  figure: {
+    title: "Flächen, Abb. 7: Stufe um Stufe",
+    paper:
+      "Eine Fläche mit vielen Einzelheiten wird auf 17³ bis 129³ Knoten mit sich selbst in anderer Haltung abgeglichen; Bilder nach jeder Stufe zeigen, dass Glieder zuerst und Einzelheiten zuletzt gefunden werden.",
+    setup:
+      "Eine Figur aus runden Gliedern und dieselbe Figur, winkend (beide aus der Galerie der Seite), 17³ bis 65³ Knoten in einer Folge von der Identität aus, mit den üblichen Gewichten. Gezeigt und gemessen wird der Abgleich am Ende jeder Stufe.",
+  },
+  pairs: {
+    title: "Flächen, Abb. 8 und 9: dünne Schale gegen Volumen allein",
+    paper:
+      "Paare von Flächen mit vielen Einzelheiten werden als dünne Schale und mit der Volumenenergie allein abgeglichen. Beides bringt die eine Fläche auf die andere; nur die Schale führt Merkmale zu Merkmalen.",
+    setup:
+      "Paare aus der Galerie der Seite und eines mit bekannter Zuordnung, von der Identität aus, mit den üblichen Gewichten; „nur Volumen“ lässt Membran, Biegung und den H¹-Teil der Abweichung weg. Abstände in beide Richtungen: von der bewegten Referenz zum Ziel und vom Ziel zur bewegten Referenz; die kleinste Determinante ist eine sichere Schranke (Bernstein-Koeffizienten). Das Flächenverhältnis ist das der abgeglichenen Fläche.",
+  },
+  truth: {
+    title: "Flächen, über den Artikel hinaus: eine bekannte Zuordnung",
+    paper: "Der Artikel beurteilt Zuordnungen nach dem Augenschein.",
+    setup:
+      "Eine Kugel mit Beulen und dasselbe Netz, durch eine Formel bewegt: verdreht, gebogen, gebaucht. Die Nummern sagen, wohin jede Ecke gehört; der Löser sieht nur zwei Flächen. Übliche Einstellungen. Fehler: der Abstand des Bildes einer Ecke von der gleichen Nummer, in Längen des Würfels; Anteil: der mittlere Fehler des Abgleichs durch den der Identität.",
   },
 };

@@ -27,13 +27,14 @@ export class Surface {
   private readonly observer: ResizeObserver;
   private readonly listening = new AbortController();
   private pending = 0;
-  private colours: Theme = theme();
+  private colours: Theme;
 
   /** Shows `seen` and calls `draw` on a cleared canvas. */
   constructor(canvas: HTMLCanvasElement, seen: () => Square, draw: Draw) {
     const context = canvas.getContext("2d");
     if (!context) throw new Error(en.solver.canvas);
     this.canvas = canvas;
+    this.colours = theme(canvas);
     this.context = context;
     this.seen = seen;
     this.draw = draw;
@@ -42,7 +43,7 @@ export class Surface {
     matchMedia("(prefers-color-scheme: dark)").addEventListener(
       "change",
       () => {
-        this.colours = theme();
+        this.colours = theme(canvas);
         this.invalidate();
       },
       { signal: this.listening.signal },

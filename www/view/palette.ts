@@ -77,8 +77,8 @@ export type Theme = {
 export const CYCLES = { light: cycle(0.62), dark: cycle(0.74) };
 
 /** Reads the custom properties of style/base.css, so that canvases follow light and dark like the rest of the page. */
-export function theme(): Theme {
-  const style = getComputedStyle(document.documentElement);
+export function theme(element: Element = document.documentElement): Theme {
+  const style = getComputedStyle(element);
   const dark = matchMedia("(prefers-color-scheme: dark)").matches;
   const colour = (name: string) => style.getPropertyValue(`--${name}`).trim();
   return {

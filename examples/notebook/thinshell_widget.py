@@ -1,0 +1,31 @@
+"""The match as a widget: shapes in, the report and phi at points out. `npm run build:element` makes its one file."""
+
+import pathlib
+
+import anywidget
+import traitlets
+
+MODULE = pathlib.Path(__file__).parents[2] / "element" / "thin-shell-match.js"
+
+
+class ThinShellMatch(anywidget.AnyWidget):
+    """Loops are lists of points [x, y] in the unit box, y up; a shape is a list of loops."""
+
+    _esm = MODULE
+
+    #: All at once: what the page has behind the # of its address.
+    state = traitlets.Unicode("").tag(sync=True)
+    reference = traitlets.List().tag(sync=True)
+    template = traitlets.List().tag(sync=True)
+    #: [x, y, u, v]: a point of the reference and its partner.
+    pins = traitlets.List().tag(sync=True)
+    settings = traitlets.Dict().tag(sync=True)
+    view = traitlets.Unicode("grid").tag(sync=True)
+    morph = traitlets.Float(1.0).tag(sync=True)
+    #: Where to ask for phi.
+    points = traitlets.List().tag(sync=True)
+
+    #: The numbers of the match, empty before; phi at `points`; what is wrong.
+    report = traitlets.Dict().tag(sync=True)
+    mapped = traitlets.List().tag(sync=True)
+    problem = traitlets.Unicode("").tag(sync=True)

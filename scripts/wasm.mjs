@@ -25,7 +25,9 @@ const FEATURES = [
 
 // Loops whose numbers of rounds are known only when they run are not unrolled, and functions are inlined only where they
 // are small or say so themselves, as the kernels do: a match takes as long, and the module is 7 kB smaller, compressed.
+// Nor are loops vectorised that do not say so: 5 kB less for 4 % of a match.
 const CODE = [
+  "-Cno-vectorize-loops",
   "-Cllvm-args=-unroll-runtime=false",
   "-Cllvm-args=-unroll-allow-partial=false",
   "-Cllvm-args=-inline-threshold=75",

@@ -164,6 +164,7 @@ impl<const D: usize> Multigrid<D> {
                 &level.inverse,
                 &level.right,
                 &mut level.solution,
+                &mut level.residual,
                 &mut level.scratch,
             );
         }
@@ -238,6 +239,8 @@ fn dot(a: &Nodes, b: &Nodes) -> f64 {
     total
 }
 
+/// a += s b.
+#[inline(never)]
 fn add_scaled(a: &mut Nodes, s: f32, b: &Nodes) {
     for (x, y) in a.iter_mut().zip(b) {
         *x += s * y;

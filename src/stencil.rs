@@ -130,7 +130,7 @@ impl<const D: usize> StencilOperator<D> {
     }
 
     /// Adds to the block of a node, the one in a column of a row, and a neighbour that does not come before it.
-    #[inline(always)]
+    #[inline(never)]
     pub fn add(&mut self, [row, column]: [usize; 2], neighbour: usize, block: &[[f32; D]; D]) {
         let first = self.place(row, column, neighbour);
         let numbers = &mut self.numbers[first..][..(Self::BLOCK - 1) * LANES + 1];
@@ -140,7 +140,7 @@ impl<const D: usize> StencilOperator<D> {
     }
 
     /// The same for [`LANES`] nodes from a column on that is a multiple of them, or the next one.
-    #[inline(always)]
+    #[inline(never)]
     pub fn add_lanes(&mut self, [row, column]: [usize; 2], neighbour: usize, block: &[[F32x4; D]; D]) {
         let ahead = column % LANES == 1;
         let first = self.place(row, column - usize::from(ahead), neighbour);

@@ -205,7 +205,6 @@ impl Recipe {
     }
 
     /// The block of the coarse node over a column of a row, the row with a group of zeros first.
-    #[inline(always)]
     fn sum_at<const D: usize, const B: usize, const H: usize>(&self, row: &[Group<B, H>], column: usize) -> [f32; B] {
         let mut sum = [0.0; B];
         let place = |route: &Route| column.wrapping_add_signed(route.columns);

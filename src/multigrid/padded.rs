@@ -1,5 +1,6 @@
 //! Nodal f32 vectors with a ring of zeros around the grid, so that a stencil needs no case for the boundary.
 
+use super::add_scaled;
 use crate::grid::Grid;
 use crate::stencil::{LANES, MAX_NEIGHBOURS, StencilOperator};
 
@@ -96,22 +97,16 @@ impl<const D: usize> Layout<D> {
     pub fn restrict(&self, fine: &Nodes, coarse_layout: &Layout<D>, coarse: &mut Nodes, line: &mut [f32]) {
         let side = coarse_layout.side();
         let sums = &mut line[..2 * side + 1];
-        for row in 0..coarse_layout.rows() {
-            let start = coarse_layout.row_start(row);
-            for k in 0..D {
-                // From the ring's node before the row to the one after it.
-                sums.fill(0.0);
-                for (share, start) in self.fine_rows(&row_index(row, side)) {
-                    let fine = &fine[start + k * self.line - 1..][..2 * side + 1];
-                    for (sum, value) in sums.iter_mut().zip(fine) {
-                        *sum += share * value;
-                    }
-                }
-                let (pairs, _) = sums.as_chunks::<2>();
-                let coarse = &mut coarse[start + k * coarse_layout.line..][..side];
-                for ((coarse, [left, under]), right) in coarse.iter_mut().zip(pairs).zip(sums[2..].iter().step_by(2)) {
-                    *coarse = under + 0.5 * (left + right);
-                }
+        for number in 0..coarse_layout.rows() * D {
+            let (row, k) = (number / D, number % D);
+            // From the ring's node before the row to the one after it.
+            sums.fill(0.0);
+            for (share, start) in self.fine_rows(&row_index(row, side)) {
+                add_scaled(sums, share, &fine[start + k * self.line - 1..][..2 * side + 1]);
+            }
+            let coarse = &mut coarse[coarse_layout.row_start(row) + k * coarse_layout.line..][..side];
+            for (coarse, around) in coarse.iter_mut().zip(sums.windows(3).step_by(2)) {
+                *coarse = around[1] + 0.5 * (around[0] + around[2]);
             }
         }
     }
@@ -120,21 +115,16 @@ impl<const D: usize> Layout<D> {
     pub fn prolongate_add(&self, coarse: &Nodes, coarse_layout: &Layout<D>, fine: &mut Nodes, line: &mut [f32]) {
         let side = coarse_layout.side();
         let line = &mut line[..self.side()];
-        for row in 0..coarse_layout.rows() {
-            let start = coarse_layout.row_start(row);
-            for k in 0..D {
-                let coarse = &coarse[start + k * coarse_layout.line..][..side];
-                let (pairs, last) = line.as_chunks_mut::<2>();
-                for ([under, right], values) in pairs.iter_mut().zip(coarse.windows(2)) {
-                    *under = values[0];
-                    *right = 0.5 * (values[0] + values[1]);
-                }
-                last[0] = coarse[side - 1];
-                for (share, start) in self.fine_rows(&row_index(row, side)) {
-                    for (fine, value) in fine[start + k * self.line..].iter_mut().zip(&*line) {
-                        *fine += share * value;
-                    }
-                }
+        for number in 0..coarse_layout.rows() * D {
+            let (row, k) = (number / D, number % D);
+            let coarse = &coarse[coarse_layout.row_start(row) + k * coarse_layout.line..][..side];
+            for (pair, values) in line.chunks_exact_mut(2).zip(coarse.windows(2)) {
+                pair[0] = values[0];
+                pair[1] = 0.5 * (values[0] + values[1]);
+            }
+            line[2 * side - 2] = coarse[side - 1];
+            for (share, start) in self.fine_rows(&row_index(row, side)) {
+                add_scaled(&mut fine[start + k * self.line..][..line.len()], share, line);
             }
         }
     }

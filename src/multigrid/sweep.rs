@@ -103,16 +103,9 @@ impl<const D: usize> Layout<D> {
     ) {
         let blocks = operator.padded::<B, H>();
         for row in 0..self.rows() {
-            let start = self.row_start(row);
             self.gather_earlier(blocks, row, x, scratch);
-            let mut left = [f32x4::ZERO; D];
-            for (group, own) in self.own(blocks, row).iter().enumerate() {
-                let first = start + group * LANES;
-                let mut sum = self.earlier_sum(group, scratch);
-                self.add_after::<B, H, 0>(&mut sum, own, x, first);
-                self.add_left(&mut sum, own, x, first, &mut left);
-                self.put(&sum, image, first);
-            }
+            self.put_earlier(row, None, image, scratch);
+            self.add_rest(blocks, row, x, 1.0, image);
         }
     }
 
@@ -139,64 +132,42 @@ impl<const D: usize> Layout<D> {
         residual: &mut Nodes,
         scratch: &mut Scratch<D>,
     ) {
-        let (side, rows, groups) = (self.side(), self.rows(), self.groups);
+        let (side, rows) = (self.side(), self.rows());
         let blocks = operator.padded::<B, H>();
-        let (inverse, _) = inverse.as_chunks::<B>();
         // A row's residual waits for the rows that its neighbours lie in.
         let lag = rows / side + 1;
         for row in 0..rows + lag {
             if row < rows {
                 let start = self.row_start(row);
-                self.gather_earlier(blocks, row, x, scratch);
-                let own = self.own(blocks, row).iter().zip(&inverse[row * groups..]).enumerate();
-                let mut before = [[f32x4::ZERO; D]; D];
-                for (group, (own, inverse)) in own {
-                    let first = start + group * LANES;
-                    let (earlier, right) = (self.earlier_sum(group, scratch), self.take(right, first));
-                    let rest: Lanes<D> = std::array::from_fn(|k| right[k] - earlier[k]);
-                    self.put(&rest, residual, first);
-                    // The neighbour just computed comes in last, its block multiplied beforehand: all waits for it.
-                    let mut alone = [f32x4::ZERO; D];
-                    add_product(&mut alone, inverse, &rest);
-                    self.keep(&alone, &mut scratch.alone, group);
-                    for j in 0..D {
-                        let towards_left: Lanes<D> = std::array::from_fn(|k| {
-                            let entry = f32x4::from(own[1][j * D + k]);
-                            shifted(std::mem::replace(&mut before[j][k], entry), entry)
-                        });
-                        let mut column = [f32x4::ZERO; D];
-                        add_product(&mut column, inverse, &towards_left);
-                        self.keep(&column, &mut scratch.coupled[j], group);
-                    }
+                for k in 0..D {
+                    x[start + k * self.line..][..side].fill(0.0);
                 }
+                self.gather_earlier(blocks, row, x, scratch);
+                self.put_earlier(row, Some(right), residual, scratch);
+                let mut before = [[f32x4::ZERO; D]; D];
+                self.prepare::<B, H>(blocks, inverse, row, residual, scratch, |stored, i, j| {
+                    let entry = f32x4::from(stored[j * D + i]);
+                    shifted(std::mem::replace(&mut before[i][j], entry), entry)
+                });
                 self.substitute(0..side, scratch, start, x);
             }
             if row >= lag {
-                let row = row - lag;
-                let start = self.row_start(row);
-                let mut left = [f32x4::ZERO; D];
-                for (group, own) in self.own(blocks, row).iter().enumerate() {
-                    let first = start + group * LANES;
-                    let mut sum = [f32x4::ZERO; D];
-                    self.add_after::<B, H, 0>(&mut sum, own, x, first);
-                    self.add_left(&mut sum, own, x, first, &mut left);
-                    let rest = self.take(residual, first);
-                    self.put(&std::array::from_fn(|k| rest[k] - sum[k]), residual, first);
-                }
+                self.add_rest(blocks, row - lag, x, -1.0, residual);
             }
         }
     }
 
-    /// One block Gauss–Seidel sweep against the order of the nodes.
+    /// One block Gauss–Seidel sweep against the order of the nodes. `scrap` is memory for a vector.
     pub fn sweep_backward(
         &self,
         operator: &StencilOperator<D>,
         inverse: &[[f32; LANES]],
         right: &Nodes,
         x: &mut Nodes,
+        scrap: &mut Nodes,
         scratch: &mut Scratch<D>,
     ) {
-        by_dimension!(self.sweep_blocks_backward(operator, inverse, right, x, scratch));
+        by_dimension!(self.sweep_blocks_backward(operator, inverse, right, x, scrap, scratch));
     }
 
     fn sweep_blocks_backward<const B: usize, const H: usize>(
@@ -205,34 +176,16 @@ impl<const D: usize> Layout<D> {
         inverse: &[[f32; LANES]],
         right: &Nodes,
         x: &mut Nodes,
+        scrap: &mut Nodes,
         scratch: &mut Scratch<D>,
     ) {
         let blocks = operator.padded::<B, H>();
-        let (inverse, _) = inverse.as_chunks::<B>();
         for row in (0..self.rows()).rev() {
-            let start = self.row_start(row);
             self.gather_earlier(blocks, row, x, scratch);
-            let mut left = [f32x4::ZERO; D];
-            let own = self.own(blocks, row).iter().zip(&inverse[row * self.groups..]).enumerate();
-            for (group, (own, inverse)) in own {
-                let first = start + group * LANES;
-                let mut sum = self.earlier_sum(group, scratch);
-                self.add_after::<B, H, OWN>(&mut sum, own, x, first);
-                let mut now = self.take(x, first);
-                add_product(&mut sum, &own[0], &now);
-                self.add_left(&mut sum, own, x, first, &mut left);
-                let right = self.take(right, first);
-                let rest = std::array::from_fn(|k| right[k] - sum[k]);
-                add_product(&mut now, inverse, &rest);
-                self.keep(&now, &mut scratch.alone, group);
-                for j in 0..D {
-                    let column: Lanes<D> = std::array::from_fn(|k| f32x4::from(own[1][k * D + j]));
-                    let mut coupled = [f32x4::ZERO; D];
-                    add_product(&mut coupled, inverse, &column);
-                    self.keep(&coupled, &mut scratch.coupled[j], group);
-                }
-            }
-            self.substitute((0..self.side()).rev(), scratch, start, x);
+            self.put_earlier(row, Some(right), scrap, scratch);
+            self.add_rest(blocks, row, x, -1.0, scrap);
+            self.prepare::<B, H>(blocks, inverse, row, scrap, scratch, |stored, i, j| f32x4::from(stored[i * D + j]));
+            self.substitute((0..self.side()).rev(), scratch, self.row_start(row), x);
         }
     }
 
@@ -243,7 +196,7 @@ impl<const D: usize> Layout<D> {
     }
 
     /// Sums A_jiᵀ x_j over the earlier rows' nodes j into the scratch.
-    #[inline(always)]
+    #[inline(never)]
     fn gather_earlier<const B: usize, const H: usize>(
         &self,
         blocks: &[Group<B, H>],
@@ -270,48 +223,84 @@ impl<const D: usize> Layout<D> {
         }
     }
 
-    /// Of these, what comes to the nodes of a group.
-    #[inline(always)]
-    fn earlier_sum(&self, group: usize, scratch: &Scratch<D>) -> Lanes<D> {
-        let place = LANES + group * LANES;
+    /// To a row of `target`: of these, what comes to its nodes; or what it leaves of the right side.
+    #[inline(never)]
+    fn put_earlier(&self, row: usize, right: Option<&Nodes>, target: &mut Nodes, scratch: &Scratch<D>) {
+        let start = self.row_start(row);
         let [behind, under, ahead] = &scratch.from_earlier;
-        std::array::from_fn(|k| load(&behind[k], place + 1) + load(&under[k], place) + load(&ahead[k], place - 1))
-    }
-
-    /// sum += Σ A_ij x_j over the stored neighbours from slot FROM on.
-    #[inline(always)]
-    fn add_after<const B: usize, const H: usize, const FROM: usize>(
-        &self,
-        sum: &mut Lanes<D>,
-        own: &Group<B, H>,
-        x: &Nodes,
-        first: usize,
-    ) {
-        for slot in FROM..H {
-            add_product(sum, &own[slot], &self.take(x, first + self.shifts[slot]));
+        for group in 0..self.groups {
+            let (first, place) = (start + group * LANES, LANES + group * LANES);
+            let sum: Lanes<D> = std::array::from_fn(|k| {
+                load(&behind[k], place + 1) + load(&under[k], place) + load(&ahead[k], place - 1)
+            });
+            let sum = match right {
+                Some(right) => {
+                    let right = self.take(right, first);
+                    std::array::from_fn(|k| right[k] - sum[k])
+                }
+                None => sum,
+            };
+            self.put(&sum, target, first);
         }
     }
 
-    /// sum += A_jiᵀ x_j for the node j before each; `left` keeps the product of the last for the next group.
-    #[inline(always)]
-    fn add_left<const B: usize, const H: usize>(
+    /// Adds to a row of `target` the share of what A x has there from the row itself and the later ones.
+    #[inline(never)]
+    fn add_rest<const B: usize, const H: usize>(
         &self,
-        sum: &mut Lanes<D>,
-        own: &Group<B, H>,
+        blocks: &[Group<B, H>],
+        row: usize,
         x: &Nodes,
-        first: usize,
-        left: &mut Lanes<D>,
+        share: f32,
+        target: &mut Nodes,
     ) {
-        let mut product = [f32x4::ZERO; D];
-        add_turned_product(&mut product, &own[1], &self.take(x, first));
-        for k in 0..D {
-            sum[k] += shifted(left[k], product[k]);
+        let (start, share) = (self.row_start(row), f32x4::splat(share));
+        let mut left = [f32x4::ZERO; D];
+        for (group, own) in self.own(blocks, row).iter().enumerate() {
+            let first = start + group * LANES;
+            let mut sum = [f32x4::ZERO; D];
+            for slot in 0..H {
+                add_product(&mut sum, &own[slot], &self.take(x, first + self.shifts[slot]));
+            }
+            // The node before each stores the block; the product of the last is for the next group.
+            let mut product = [f32x4::ZERO; D];
+            add_turned_product(&mut product, &own[1], &self.take(x, first));
+            let there = self.take(target, first);
+            let sum = std::array::from_fn(|k| there[k] + share * (sum[k] + shifted(left[k], product[k])));
+            left = product;
+            self.put(&sum, target, first);
         }
-        *left = product;
     }
 
-    /// x_i = alone_i − coupled_i x_j, j the node before i in the order of the columns.
-    #[inline(always)]
+    /// The corrections of a row's nodes: what each is alone, and the block that couples it with the one corrected before.
+    /// That one comes in last, its block multiplied beforehand: all waits for it. `coupling` gives entry (i, j) of A there,
+    /// of the block that couples a node with the next.
+    fn prepare<const B: usize, const H: usize>(
+        &self,
+        blocks: &[Group<B, H>],
+        inverse: &[[f32; LANES]],
+        row: usize,
+        residual: &Nodes,
+        scratch: &mut Scratch<D>,
+        mut coupling: impl FnMut(&[[f32; LANES]; B], usize, usize) -> f32x4,
+    ) {
+        let start = self.row_start(row);
+        let (inverse, _) = inverse.as_chunks::<B>();
+        for (group, (own, inverse)) in self.own(blocks, row).iter().zip(&inverse[row * self.groups..]).enumerate() {
+            let rest = self.take(residual, start + group * LANES);
+            let mut alone = [f32x4::ZERO; D];
+            add_product(&mut alone, inverse, &rest);
+            self.keep(&alone, &mut scratch.alone, group);
+            for j in 0..D {
+                let column: Lanes<D> = std::array::from_fn(|i| coupling(&own[1], i, j));
+                let mut coupled = [f32x4::ZERO; D];
+                add_product(&mut coupled, inverse, &column);
+                self.keep(&coupled, &mut scratch.coupled[j], group);
+            }
+        }
+    }
+
+    /// x_i += c_i with c_i = alone_i − coupled_i c_j, j the node before i in the order of the columns.
     fn substitute(&self, columns: impl Iterator<Item = usize>, scratch: &Scratch<D>, start: usize, x: &mut Nodes) {
         let mut last = [0.0; D];
         let row = &mut x[start..][..(D - 1) * self.line + self.side()];
@@ -325,7 +314,7 @@ impl<const D: usize> Layout<D> {
             }
             last = next;
             for k in 0..D {
-                row[k * self.line + column] = last[k];
+                row[k * self.line + column] += last[k];
             }
         }
     }

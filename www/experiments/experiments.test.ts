@@ -91,7 +91,7 @@ describe("the cascade", () => {
     for (let i = 1; i < means.length; i += 1) expect(means[i]).toBeLessThan(means[i - 1]);
     const alone = await singleLevel(context, 6, { thickness: 0.125, penalty: 4e3 });
     // Both find the same match where the hessian sees folding corners; alone it takes three times as many iterations.
-    expect(alone.status.energies.total).toBeGreaterThan(levels[2].status.energies.total);
+    expect(Math.abs(alone.status.energies.total / levels[2].status.energies.total - 1)).toBeLessThan(1e-3);
     expect(alone.status.iteration).toBeGreaterThan(2 * levels[2].status.iteration);
   });
 });

@@ -46,7 +46,7 @@ for (const { id, title, steps } of LESSONS) {
     for (const [index, step] of steps.entries()) {
       await expect(page.getByText(`Step ${index + 1} of ${steps.length}`)).toBeVisible();
       await expect(page.locator(".step .text > h3")).toBeVisible();
-      await expect(picture(page).locator("canvas, button").first()).toBeVisible({ timeout: 20_000 });
+      await expect(picture(page).locator("canvas:visible, button:visible").first()).toBeVisible({ timeout: 20_000 });
       if (step.predict) {
         const section = page.getByRole("region", { name: "Predict first" });
         await expect(section.locator(".prose")).toHaveCount(1);

@@ -71,7 +71,7 @@ test("a lesson is read as it is written", () => {
   ]);
   expect(task.notes).toBe("<p>A hint.</p>");
   expect(prediction.predict?.reveal).toBe("v=2&preset=star");
-  expect(prediction.predict?.answer).toContain('<math display="block">');
+  expect(prediction.predict?.answer).toContain('<math display="block" tabindex="0">');
   expect(plain).toMatchObject({ predict: null, task: null, notes: null, frame: "embed=result", holds: [] });
 });
 

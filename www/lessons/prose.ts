@@ -56,13 +56,15 @@ function mathOf(tex: string, displayMode: boolean, line: number): string {
   try {
     const rendered = katex.renderToString(tex, { output: "mathml", displayMode, throwOnError: true, strict: "ignore" });
     // What it was written as is of no use to whoever reads it.
-    return rendered
-      .replace(/^<span class="katex">|<\/span>$/g, "")
-      .replace(/<annotation[^>]*>[\s\S]*?<\/annotation>/, "")
-      .replace(/<\/?semantics>/g, "")
-      .replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
-      // A formula of its own may be wider than a narrow screen, and is then scrolled, by keyboard too.
-      .replace('<math display="block"', '$& tabindex="0"');
+    return (
+      rendered
+        .replace(/^<span class="katex">|<\/span>$/g, "")
+        .replace(/<annotation[^>]*>[\s\S]*?<\/annotation>/, "")
+        .replace(/<\/?semantics>/g, "")
+        .replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
+        // A formula of its own may be wider than a narrow screen, and is then scrolled, by keyboard too.
+        .replace('<math display="block"', '$& tabindex="0"')
+    );
   } catch (error) {
     const why = error instanceof Error ? error.message.replace(/^KaTeX parse error: /, "") : String(error);
     throw new Mistake(line, `the formula ${tex} cannot be read: ${why}`);

@@ -11,8 +11,13 @@ use std::rc::Rc;
 /// Turned similarities that are tried beside the one that does not turn and the identity.
 const CANDIDATES: usize = 4;
 /// Iterations in each round of trials and how many starts stay in after it. The first energy does not tell a turned star
-/// from a folded one; the energy after some iterations does, and the hopeless need not be followed to the end.
-const ROUNDS: [(usize, usize); 3] = [(5, 3), (5, 2), (10, 1)];
+/// from a folded one; the energy after some iterations does, and the hopeless need not be followed to the end. In space
+/// an iteration takes fifty times as long, and fewer tell as much.
+const fn rounds<const D: usize>() -> [(usize, usize); 3] {
+    if D == 2 { [(5, 3), (5, 2), (10, 1)] } else { [(3, 3), (3, 2), (3, 1)] }
+}
+/// A similarity that moves nothing by more than this part of a cell is as good a start as the identity.
+const STILL: f64 = 0.5;
 /// By how much more energy a half turn must be beaten: among starts that are nearly as good the least rotation wins, for
 /// a circle is any turned circle.
 const TURN_PENALTY: f64 = 0.1;
@@ -69,14 +74,19 @@ pub(super) async fn find<const D: usize>(
         }
     }
     keep_best(&mut starts, CANDIDATES);
+    let moves = |trial: &Trial<Vec<f64>>| trial.state.iter().any(|u| u.abs() > STILL * grid.spacing());
+    // In space, where each trial is dear, only what is another start.
+    let tries_identity = D == 2 || straight.iter().all(moves);
     starts.extend(straight);
-    starts.push(Trial { rank: f64::INFINITY, turn: 0.0, state: vec![0.0; grid.node_count() * D] });
+    if tries_identity {
+        starts.push(Trial { rank: f64::INFINITY, turn: 0.0, state: vec![0.0; grid.node_count() * D] });
+    }
 
     let mut trials: Vec<Trial<AnyMinimizer<D>>> = starts
         .into_iter()
         .map(|Trial { rank, turn, state }| Trial { rank, turn, state: AnyMinimizer::new(number, settings, state) })
         .collect();
-    for (iterations, remaining) in ROUNDS {
+    for (iterations, remaining) in rounds::<D>() {
         for trial in &mut trials {
             for _ in 0..settings.minimizer.iterations(iterations) {
                 let progress = trial.state.step(assembler).await;

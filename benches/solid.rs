@@ -1,10 +1,13 @@
 //! Surfaces: kernels a cell, and whole matches: `cargo bench --bench solid [-- cells [part of a name]]`, 32 cells by default.
 
+#[path = "../tests/common/clock.rs"]
+mod clock;
 #[path = "../tests/common/solids.rs"]
 mod solids;
 
+use clock::seconds;
 use glam::{DQuat, DVec3};
-use solids::{ellipsoid, octahedron, solid, sphere};
+use solids::{CENTRE, ellipsoid, mesh, octahedron, solid, sphere};
 use std::hint::black_box;
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
@@ -17,18 +20,6 @@ use thinshell::settings::{Alignment, Settings};
 
 /// Time that a kernel is repeated for.
 const BUDGET_SECONDS: f64 = 0.5;
-
-/// Processor time of this process, or the clock's where the system does not tell: others on the machine do not count.
-fn seconds() -> f64 {
-    const TICKS_A_SECOND: f64 = 100.0;
-    let clock = || std::time::SystemTime::UNIX_EPOCH.elapsed().map_or(0.0, |since| since.as_secs_f64());
-    let Ok(stat) = std::fs::read_to_string("/proc/self/stat") else { return clock() };
-    // The name before the last bracket may hold anything.
-    let numbers: Vec<f64> =
-        stat.rsplit(')').next().unwrap_or("").split_whitespace().filter_map(|word| word.parse().ok()).collect();
-    // The state, a letter, is left out.
-    numbers.get(10..12).map_or_else(clock, |times| times.iter().sum::<f64>() / TICKS_A_SECOND)
-}
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
@@ -120,6 +111,16 @@ fn kernels(level: u32, shapes: &[SignedDistance<3>; 2]) -> Kernels<'_> {
     kernels.push((
         "linear solve to 0.1",
         Box::new(move || _ = black_box(multigrid.solve(&gradient, 0.1, 40, &mut solution))),
+    ));
+    // 8192 triangles, about as many as the meshes that people bring.
+    let (positions, triangles) = mesh(5, |direction| {
+        CENTRE + (0.27 + 0.05 * (5.0 * direction.x).sin() * direction.y + 0.04 * (9.0 * direction.z).cos()) * direction
+    });
+    kernels.push((
+        "distance to a mesh",
+        Box::new(move || {
+            _ = black_box(SignedDistance::from_mesh(grid, &positions, &triangles).expect("a closed mesh"))
+        }),
     ));
     kernels.push(("band and jets of a level", Box::new(move || _ = black_box(assembler().band_cells()))));
     kernels

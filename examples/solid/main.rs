@@ -2,8 +2,10 @@
 //!
 //! `cargo run --release --example solid -- [pairs] [finest level]` registers random bumpy spheres with turned and changed
 //! copies of themselves; `cargo run --release --example solid -- one.ply other.ply [finest level]` registers meshes of the
-//! same numbering and tells how far each vertex ends from its namesake.
+//! same numbering and tells how far each vertex ends from its namesake. Seconds are processor time.
 
+#[path = "../../tests/common/clock.rs"]
+mod clock;
 #[path = "../../tests/common/mod.rs"]
 mod common;
 mod ply;
@@ -11,10 +13,10 @@ mod ply;
 mod solids;
 mod turn;
 
+use clock::seconds;
 use common::Random;
 use glam::{DQuat, DVec3};
 use solids::{Bumpy, solid};
-use std::time::Instant;
 use thinshell::distance::SignedDistance;
 use thinshell::field::interpolate;
 use thinshell::grid::Grid;
@@ -51,7 +53,7 @@ struct End {
 }
 
 fn register(reference: SignedDistance<3>, template: SignedDistance<3>, finest: u32) -> End {
-    let begin = Instant::now();
+    let begin = seconds();
     let settings = Settings { coarsest: 4, finest, ..Settings::default() };
     let mut search = ready(Search::new(reference, template, settings)).expect("valid settings");
     let mut iterations = 0;
@@ -62,7 +64,7 @@ fn register(reference: SignedDistance<3>, template: SignedDistance<3>, finest: u
             break progress;
         }
     };
-    let seconds = begin.elapsed().as_secs_f64();
+    let seconds = seconds() - begin;
     let [reference, template] = search.shapes();
     End {
         seconds,
@@ -142,11 +144,11 @@ fn known_correspondence(from: &str, to: &str, finest: u32) {
     assert_eq!(positions.len(), target.len(), "both meshes have as many vertices");
     fit([&mut positions, &mut target]);
     let grid = Grid::of_level(finest);
-    let begin = Instant::now();
+    let begin = seconds();
     let shapes = [(&positions, &triangles), (&target, &others)]
         .map(|(positions, triangles)| SignedDistance::from_mesh(grid, positions, triangles));
     let [reference, template] = shapes.map(|shape| shape.unwrap_or_else(|problem| panic!("a mesh {problem}")));
-    println!("distances: {:.3} s", begin.elapsed().as_secs_f64());
+    println!("distances: {:.3} s", seconds() - begin);
     let end = register(reference, template, finest);
     let errors = |moved: &dyn Fn(&[f64; 3]) -> DVec3| {
         let errors = positions.iter().zip(&target).map(|(from, to)| moved(from).distance(DVec3::from(*to)));

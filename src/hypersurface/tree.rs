@@ -4,8 +4,11 @@ use super::Hypersurface;
 use crate::order::ascending;
 use std::sync::Arc;
 
-/// Simplices that are tried one by one.
-const LEAF: usize = 4;
+/// Simplices that are tried one by one. In space, where one takes as long as many boxes and a thicker box is looked into from
+/// farther away, fewer.
+const fn leaf<const D: usize>() -> usize {
+    if D == 2 { 4 } else { 1 }
+}
 
 /// Boxes around simplices, halved again and again along their longest side.
 pub struct Tree<const D: usize> {
@@ -60,7 +63,7 @@ impl<const D: usize> Tree<D> {
             }
         }
         self.boxes.push(Bounds { low, high, first: first as u32, count: count as u32, second: 0 });
-        if count > LEAF {
+        if count > leaf::<D>() {
             let extent = |axis: usize| high[axis] - low[axis];
             let longest = (0..D).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
             let half = count / 2;
@@ -134,7 +137,7 @@ pub(crate) fn square_to<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D
 }
 
 /// The squared distance to a simplex, and the shares of its corners in the point that is nearest.
-fn foot<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D]) -> (f64, [f64; D]) {
+pub(crate) fn foot<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D]) -> (f64, [f64; D]) {
     let between = |from: &[f64; D], to: &[f64; D]| -> [f64; D] { std::array::from_fn(|axis| to[axis] - from[axis]) };
     let product = |a: &[f64; D], b: &[f64; D]| -> f64 { (0..D).map(|axis| a[axis] * b[axis]).sum() };
     let on_edge = |i: usize, j: usize| {

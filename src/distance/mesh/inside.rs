@@ -28,9 +28,10 @@ pub(super) fn inside(grid: Grid<3>, mesh: &Mesh) -> Vec<bool> {
 
 /// The node at the low end of a line along an axis.
 fn first_node(grid: Grid<3>, axis: usize, line: usize) -> usize {
+    // Neighbouring lines follow each other in memory.
+    let (fast, slow) = [(1, 2), (0, 2), (0, 1)][axis];
     let mut index = [0; 3];
-    index[(axis + 1) % 3] = line % grid.side();
-    index[(axis + 2) % 3] = line / grid.side();
+    (index[fast], index[slow]) = (line % grid.side(), line / grid.side());
     grid.node(index)
 }
 

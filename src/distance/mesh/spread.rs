@@ -1,19 +1,21 @@
 //! Unsigned distances to triangles: exact around them, then handed on from node to node.
 
 use crate::grid::Grid;
-use crate::hypersurface::{Hypersurface, Tree, square_to};
+use crate::hypersurface::{Hypersurface, Tree, foot, square_to};
 use std::sync::Arc;
 
-/// Distances below this are exact: what the shell terms look at, whose bands are half as wide.
-const EXACT: f64 = 0.1;
+/// Distances below this are exact: the usual half width of the bands in which the shell terms look at them,
+const EXACT: f64 = 0.05;
+/// and as many cells more, for the fits at the bands' borders.
+const EXACT_CELLS: f64 = 3.0;
 
 /// Cells around a triangle whose nodes look at it.
 const REACH: f64 = 2.0;
 /// Width of a bucket of the queue, in cells.
 const BUCKET: f64 = 0.25;
 
-/// The distance of every node: exact up to [`EXACT`], beyond to the nearest of the triangles that a neighbour closer to the
-/// surface is nearest to. Triangles are no longer than cells, or their boxes would be empty for the most part.
+/// The distance of every node: exact up to [`EXACT`] and [`EXACT_CELLS`], beyond to the triangle that the neighbour with the
+/// nearest foot is nearest to. Triangles are no longer than cells, or their boxes would be empty for the most part.
 pub(super) fn distances(grid: Grid<3>, surface: &Arc<Hypersurface<3>>) -> Vec<f64> {
     let tree = Tree::new(surface.clone());
     let mut field = Field {
@@ -59,33 +61,36 @@ impl Field {
                     let node = self.grid.node([i, j, k]);
                     let off = plane.distance(&point);
                     if off * off < self.squares[node].min(REACH * REACH) {
-                        self.offer(node, &point, triangle as u32);
+                        let square = square_to(&point, &corners);
+                        if square < self.squares[node] {
+                            (self.squares[node], self.nearest[node]) = (square, triangle as u32);
+                        }
                     }
                 }
             }
         }
     }
 
-    /// Whether the triangle is nearer than what the node knew.
-    fn offer(&mut self, node: usize, point: &[f64; 3], triangle: u32) -> bool {
-        let square = square_to(point, &self.corners[triangle as usize]);
-        let is_nearer = square < self.squares[node];
-        if is_nearer {
-            (self.squares[node], self.nearest[node]) = (square, triangle);
-        }
-        is_nearer
-    }
-
-    /// Looks for a nearer triangle among all.
-    fn refine(&mut self, node: usize, tree: &Tree<3>) {
+    /// Looks for a nearer triangle among all; whether there is one.
+    fn refine(&mut self, node: usize, tree: &Tree<3>) -> bool {
         let per_square = (self.grid.cells() as f64).powi(2);
-        if let Some(nearer) = tree.nearer(&self.grid.position(node), self.squares[node] / per_square) {
+        let nearer = tree.nearer(&self.grid.position(node), self.squares[node] / per_square);
+        if let Some(nearer) = &nearer {
             self.nearest[node] = nearer.simplex as u32;
-            self.squares[node] = nearer.distance.powi(2) * per_square;
         }
+        nearer.is_some()
     }
 
-    /// Nodes in about the order of their distances offer their nearest triangle to their neighbours.
+    /// The foot of a node on its triangle; its distance becomes that to this foot.
+    fn foot(&mut self, node: usize, point: &[f64; 3]) -> [f64; 3] {
+        let corners = &self.corners[self.nearest[node] as usize];
+        let (square, shares) = foot(point, corners);
+        self.squares[node] = square;
+        std::array::from_fn(|axis| (0..3).map(|k| shares[k] * corners[k][axis]).sum())
+    }
+
+    /// Nodes in about the order of their distances offer their feet to their neighbours: the distance of a neighbour to a
+    /// foot takes a fraction of that to a triangle, and tells which triangle is the nearest.
     fn hand_on(&mut self, tree: &Tree<3>) {
         let bucket_of = |square: f64| (square.sqrt() / BUCKET) as usize;
         let mut buckets: Vec<Vec<u32>> = Vec::new();
@@ -100,39 +105,39 @@ impl Field {
             push(&mut buckets, square, node);
         }
         // What is handed on is too far by less than a cell.
-        let exact = EXACT * self.grid.cells() as f64 + 1.0;
+        let exact = EXACT * self.grid.cells() as f64 + EXACT_CELLS + 1.0;
+        let mut is_done = vec![false; self.squares.len()];
         let mut number = 0;
         while number < buckets.len() {
             let bucket = std::mem::take(&mut buckets[number]);
             for node in bucket.into_iter().map(|node| node as usize) {
                 // One that has become nearer since was there before.
-                if bucket_of(self.squares[node]) != number {
+                if std::mem::replace(&mut is_done[node], true) {
                     continue;
                 }
                 let index = self.grid.node_index(node);
-                let square = self.squares[node];
-                if (REACH * REACH..exact * exact).contains(&square) {
-                    self.refine(node, tree);
+                let point = index.map(|i| i as f64);
+                let mut foot = self.foot(node, &point);
+                if (REACH * REACH..exact * exact).contains(&self.squares[node]) && self.refine(node, tree) {
+                    foot = self.foot(node, &point);
                 }
-                let triangle = self.nearest[node];
                 for axis in 0..3 {
-                    for is_ahead in [false, true] {
-                        let mut place = index;
-                        if if is_ahead { index[axis] == self.grid.cells() } else { index[axis] == 0 } {
+                    for (step, at_border) in [(-1.0, 0), (1.0, self.grid.cells())] {
+                        if index[axis] == at_border {
                             continue;
                         }
-                        place[axis] = if is_ahead { index[axis] + 1 } else { index[axis] - 1 };
-                        let other = self.grid.node(place);
-                        let knew = self.squares[other];
+                        let stride = self.grid.stride(axis);
+                        let other = if step < 0.0 { node - stride } else { node + stride };
                         // Nodes near the surface know their triangle already, and those nearer than this one too.
-                        if self.nearest[other] == triangle && knew.is_finite()
-                            || knew <= self.squares[node]
-                            || knew <= REACH * REACH
-                        {
+                        if is_done[other] || self.squares[other] <= REACH * REACH {
                             continue;
                         }
-                        if self.offer(other, &place.map(|i| i as f64), triangle) {
-                            push(&mut buckets, self.squares[other], other);
+                        let mut offset: [f64; 3] = std::array::from_fn(|k| point[k] - foot[k]);
+                        offset[axis] += step;
+                        let square = offset.iter().map(|x| x * x).sum();
+                        if square < self.squares[other] {
+                            (self.squares[other], self.nearest[other]) = (square, self.nearest[node]);
+                            push(&mut buckets, square, other);
                         }
                     }
                 }

@@ -37,17 +37,6 @@ impl<const D: usize> Scratch<D> {
     }
 }
 
-#[inline(always)]
-fn load(numbers: &[f32], first: usize) -> f32x4 {
-    let four: [f32; LANES] = numbers[first..][..LANES].try_into().expect("four numbers");
-    f32x4::from(four)
-}
-
-#[inline(always)]
-fn store(lanes: f32x4, numbers: &mut [f32], first: usize) {
-    numbers[first..][..LANES].copy_from_slice(&lanes.to_array());
-}
-
 /// The lanes one node on, the last of `before` first.
 #[inline(always)]
 fn shifted(before: f32x4, lanes: f32x4) -> f32x4 {
@@ -77,12 +66,13 @@ fn add_turned_product<const D: usize, const B: usize>(sum: &mut Lanes<D>, block:
     }
 }
 
-/// Calls a method with the numbers a block and the blocks a node that D has, which the type system cannot compute.
+/// Calls a method with the numbers a block, the blocks a node and the earlier rows next to a row that D has, which the
+/// type system cannot compute.
 macro_rules! by_dimension {
     ($layout:ident.$method:ident($($argument:expr),*)) => {
         match D {
-            2 => $layout.$method::<4, 5>($($argument),*),
-            3 => $layout.$method::<9, 14>($($argument),*),
+            2 => $layout.$method::<4, 5, 1>($($argument),*),
+            3 => $layout.$method::<9, 14, 4>($($argument),*),
             _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
         }
     };
@@ -94,7 +84,7 @@ impl<const D: usize> Layout<D> {
         by_dimension!(self.apply_blocks(operator, x, image, scratch));
     }
 
-    fn apply_blocks<const B: usize, const H: usize>(
+    fn apply_blocks<const B: usize, const H: usize, const E: usize>(
         &self,
         operator: &StencilOperator<D>,
         x: &Nodes,
@@ -103,7 +93,7 @@ impl<const D: usize> Layout<D> {
     ) {
         let blocks = operator.padded::<B, H>();
         for row in 0..self.rows() {
-            self.gather_earlier(blocks, row, x, scratch);
+            self.gather_earlier::<B, H, E>(blocks, row, x, scratch);
             self.put_earlier(row, None, image, scratch);
             self.add_rest(blocks, row, x, 1.0, image);
         }
@@ -123,7 +113,7 @@ impl<const D: usize> Layout<D> {
         by_dimension!(self.sweep_blocks_from_zero(operator, inverse, right, x, residual, scratch));
     }
 
-    fn sweep_blocks_from_zero<const B: usize, const H: usize>(
+    fn sweep_blocks_from_zero<const B: usize, const H: usize, const E: usize>(
         &self,
         operator: &StencilOperator<D>,
         inverse: &[[f32; LANES]],
@@ -142,7 +132,7 @@ impl<const D: usize> Layout<D> {
                 for k in 0..D {
                     x[start + k * self.line..][..side].fill(0.0);
                 }
-                self.gather_earlier(blocks, row, x, scratch);
+                self.gather_earlier::<B, H, E>(blocks, row, x, scratch);
                 self.put_earlier(row, Some(right), residual, scratch);
                 let mut before = [[f32x4::ZERO; D]; D];
                 self.prepare::<B, H>(blocks, inverse, row, residual, scratch, |stored, i, j| {
@@ -170,7 +160,7 @@ impl<const D: usize> Layout<D> {
         by_dimension!(self.sweep_blocks_backward(operator, inverse, right, x, scrap, scratch));
     }
 
-    fn sweep_blocks_backward<const B: usize, const H: usize>(
+    fn sweep_blocks_backward<const B: usize, const H: usize, const E: usize>(
         &self,
         operator: &StencilOperator<D>,
         inverse: &[[f32; LANES]],
@@ -181,7 +171,7 @@ impl<const D: usize> Layout<D> {
     ) {
         let blocks = operator.padded::<B, H>();
         for row in (0..self.rows()).rev() {
-            self.gather_earlier(blocks, row, x, scratch);
+            self.gather_earlier::<B, H, E>(blocks, row, x, scratch);
             self.put_earlier(row, Some(right), scrap, scratch);
             self.add_rest(blocks, row, x, -1.0, scrap);
             self.prepare::<B, H>(blocks, inverse, row, scrap, scratch, |stored, i, j| f32x4::from(stored[i * D + j]));
@@ -197,7 +187,7 @@ impl<const D: usize> Layout<D> {
 
     /// Sums A_jiᵀ x_j over the earlier rows' nodes j into the scratch.
     #[inline(never)]
-    fn gather_earlier<const B: usize, const H: usize>(
+    fn gather_earlier<const B: usize, const H: usize, const E: usize>(
         &self,
         blocks: &[Group<B, H>],
         row: usize,
@@ -205,20 +195,23 @@ impl<const D: usize> Layout<D> {
         scratch: &mut Scratch<D>,
     ) {
         let start = self.row_start(row);
+        // The slot in the middle of a row's three does not move along x.
+        let middle = |earlier: usize| OWN + A_ROW * earlier + 1;
+        let rows: [_; E] = std::array::from_fn(|earlier| {
+            &blocks[(self.margin + row - self.strides[middle(earlier)]) * self.groups..][..self.groups]
+        });
+        let x: [_; E] = std::array::from_fn(|earlier| self.row(x, start - self.shifts[middle(earlier)]));
+        let mut sums = scratch.from_earlier.each_mut().map(|lines| self.lines_mut(lines));
         for group in 0..self.groups {
-            let mut sums = [[f32x4::ZERO; D]; A_ROW];
-            for earlier in 0..(H - OWN) / A_ROW {
-                let first = OWN + A_ROW * earlier;
-                // The slot in the middle does not move along x.
-                let (stride, shift) = (self.strides[first + 1], self.shifts[first + 1]);
-                let stored = &blocks[(self.margin + row - stride) * self.groups + group];
-                let x = self.take(x, start - shift + group * LANES);
-                for (along, sum) in sums.iter_mut().enumerate() {
-                    add_turned_product(sum, &stored[first + along], &x);
+            let mut sum = [[f32x4::ZERO; D]; A_ROW];
+            for earlier in 0..E {
+                let (stored, x) = (&rows[earlier][group], at(&x[earlier], group));
+                for (along, sum) in sum.iter_mut().enumerate() {
+                    add_turned_product(sum, &stored[OWN + A_ROW * earlier + along], &x);
                 }
             }
-            for (sum, lines) in sums.iter().zip(&mut scratch.from_earlier) {
-                self.keep(sum, lines, group);
+            for (sum, sums) in sum.iter().zip(&mut sums) {
+                put(sum, sums, group);
             }
         }
     }
@@ -227,20 +220,25 @@ impl<const D: usize> Layout<D> {
     #[inline(never)]
     fn put_earlier(&self, row: usize, right: Option<&Nodes>, target: &mut Nodes, scratch: &Scratch<D>) {
         let start = self.row_start(row);
-        let [behind, under, ahead] = &scratch.from_earlier;
+        let mut place = LANES + 1;
+        let from = scratch.from_earlier.each_ref().map(|lines| {
+            let lines = lines.each_ref().map(|line| self.groups_of(line, place));
+            place -= 1;
+            lines
+        });
+        let right = right.map(|right| self.row(right, start));
+        let mut target = self.row_mut(target, start);
         for group in 0..self.groups {
-            let (first, place) = (start + group * LANES, LANES + group * LANES);
-            let sum: Lanes<D> = std::array::from_fn(|k| {
-                load(&behind[k], place + 1) + load(&under[k], place) + load(&ahead[k], place - 1)
-            });
-            let sum = match right {
+            let [behind, under, ahead] = from.each_ref().map(|lines| at(lines, group));
+            let sum: Lanes<D> = std::array::from_fn(|k| behind[k] + under[k] + ahead[k]);
+            let sum = match &right {
                 Some(right) => {
-                    let right = self.take(right, first);
+                    let right = at(right, group);
                     std::array::from_fn(|k| right[k] - sum[k])
                 }
                 None => sum,
             };
-            self.put(&sum, target, first);
+            put(&sum, &mut target, group);
         }
     }
 
@@ -255,20 +253,23 @@ impl<const D: usize> Layout<D> {
         target: &mut Nodes,
     ) {
         let (start, share) = (self.row_start(row), f32x4::splat(share));
+        let own = self.own(blocks, row);
+        let x: [_; H] = std::array::from_fn(|slot| self.row(x, start + self.shifts[slot]));
+        let mut target = self.row_mut(target, start);
         let mut left = [f32x4::ZERO; D];
-        for (group, own) in self.own(blocks, row).iter().enumerate() {
-            let first = start + group * LANES;
+        for group in 0..self.groups {
+            let own = &own[group];
             let mut sum = [f32x4::ZERO; D];
             for slot in 0..H {
-                add_product(&mut sum, &own[slot], &self.take(x, first + self.shifts[slot]));
+                add_product(&mut sum, &own[slot], &at(&x[slot], group));
             }
             // The node before each stores the block; the product of the last is for the next group.
             let mut product = [f32x4::ZERO; D];
-            add_turned_product(&mut product, &own[1], &self.take(x, first));
-            let there = self.take(target, first);
+            add_turned_product(&mut product, &own[1], &at(&x[0], group));
+            let there: Lanes<D> = std::array::from_fn(|k| f32x4::from(target[k][group]));
             let sum = std::array::from_fn(|k| there[k] + share * (sum[k] + shifted(left[k], product[k])));
             left = product;
-            self.put(&sum, target, first);
+            put(&sum, &mut target, group);
         }
     }
 
@@ -284,57 +285,82 @@ impl<const D: usize> Layout<D> {
         scratch: &mut Scratch<D>,
         mut coupling: impl FnMut(&[[f32; LANES]; B], usize, usize) -> f32x4,
     ) {
-        let start = self.row_start(row);
-        let (inverse, _) = inverse.as_chunks::<B>();
-        for (group, (own, inverse)) in self.own(blocks, row).iter().zip(&inverse[row * self.groups..]).enumerate() {
-            let rest = self.take(residual, start + group * LANES);
-            let mut alone = [f32x4::ZERO; D];
-            add_product(&mut alone, inverse, &rest);
-            self.keep(&alone, &mut scratch.alone, group);
+        let own = self.own(blocks, row);
+        let inverse = &inverse.as_chunks::<B>().0[row * self.groups..][..self.groups];
+        let residual = self.row(residual, self.row_start(row));
+        let mut alone = self.lines_mut(&mut scratch.alone);
+        let mut coupled = scratch.coupled.each_mut().map(|lines| self.lines_mut(lines));
+        for group in 0..self.groups {
+            let mut sum = [f32x4::ZERO; D];
+            add_product(&mut sum, &inverse[group], &at(&residual, group));
+            put(&sum, &mut alone, group);
             for j in 0..D {
-                let column: Lanes<D> = std::array::from_fn(|i| coupling(&own[1], i, j));
-                let mut coupled = [f32x4::ZERO; D];
-                add_product(&mut coupled, inverse, &column);
-                self.keep(&coupled, &mut scratch.coupled[j], group);
+                let column: Lanes<D> = std::array::from_fn(|i| coupling(&own[group][1], i, j));
+                let mut sum = [f32x4::ZERO; D];
+                add_product(&mut sum, &inverse[group], &column);
+                put(&sum, &mut coupled[j], group);
             }
         }
     }
 
     /// x_i += c_i with c_i = alone_i − coupled_i c_j, j the node before i in the order of the columns.
+    #[inline(always)]
     fn substitute(&self, columns: impl Iterator<Item = usize>, scratch: &Scratch<D>, start: usize, x: &mut Nodes) {
+        let side = self.side();
+        let alone = scratch.alone.each_ref().map(|line| &line[LANES..][..side]);
+        let coupled = scratch.coupled.each_ref().map(|lines| lines.each_ref().map(|line| &line[LANES..][..side]));
+        let row = self.row_mut(x, start).map(|line| &mut line.as_flattened_mut()[..side]);
         let mut last = [0.0; D];
-        let row = &mut x[start..][..(D - 1) * self.line + self.side()];
         for column in columns {
-            let place = LANES + column;
-            let mut next: [f32; D] = std::array::from_fn(|k| scratch.alone[k][place]);
+            let mut next: [f32; D] = std::array::from_fn(|k| alone[k][column]);
             for j in 0..D {
                 for k in 0..D {
-                    next[k] -= scratch.coupled[j][k][place] * last[j];
+                    next[k] -= coupled[j][k][column] * last[j];
                 }
             }
             last = next;
             for k in 0..D {
-                row[k * self.line + column] += last[k];
+                row[k][column] += last[k];
             }
         }
     }
 
+    /// The groups of a line from a number on: sliced once, so that no access is checked.
     #[inline(always)]
-    fn take(&self, x: &Nodes, first: usize) -> Lanes<D> {
-        std::array::from_fn(|k| load(x, first + k * self.line))
+    fn groups_of<'a>(&self, line: &'a [f32], first: usize) -> &'a [[f32; LANES]] {
+        &line[first..].as_chunks().0[..self.groups]
+    }
+
+    /// The lines of a row of nodes, of which the first begins at `start`.
+    #[inline(always)]
+    fn row<'a>(&self, x: &'a Nodes, start: usize) -> [&'a [[f32; LANES]]; D] {
+        std::array::from_fn(|k| self.groups_of(x, start + k * self.line))
     }
 
     #[inline(always)]
-    fn put(&self, lanes: &Lanes<D>, x: &mut Nodes, first: usize) {
-        for (k, lanes) in lanes.iter().enumerate() {
-            store(*lanes, x, first + k * self.line);
-        }
+    fn row_mut<'a>(&self, x: &'a mut Nodes, start: usize) -> [&'a mut [[f32; LANES]]; D] {
+        let mut rest = &mut x[start..];
+        std::array::from_fn(|_| {
+            let (line, next) = std::mem::take(&mut rest).split_at_mut(self.line);
+            rest = next;
+            &mut line.as_chunks_mut().0[..self.groups]
+        })
     }
 
     #[inline(always)]
-    fn keep(&self, lanes: &Lanes<D>, lines: &mut [Vec<f32>; D], group: usize) {
-        for (lanes, line) in lanes.iter().zip(lines) {
-            store(*lanes, line, LANES + group * LANES);
-        }
+    fn lines_mut<'a>(&self, lines: &'a mut [Vec<f32>; D]) -> [&'a mut [[f32; LANES]]; D] {
+        lines.each_mut().map(|line| &mut line[LANES..].as_chunks_mut().0[..self.groups])
+    }
+}
+
+#[inline(always)]
+fn at<const D: usize>(lines: &[&[[f32; LANES]]; D], group: usize) -> Lanes<D> {
+    std::array::from_fn(|k| f32x4::from(lines[k][group]))
+}
+
+#[inline(always)]
+fn put<const D: usize>(lanes: &Lanes<D>, lines: &mut [&mut [[f32; LANES]]; D], group: usize) {
+    for (lanes, line) in lanes.iter().zip(lines) {
+        line[group] = lanes.to_array();
     }
 }

@@ -13,6 +13,7 @@ use crate::stencil::{LANES, StencilOperator};
 use galerkin::Galerkin;
 use padded::{Layout, Nodes};
 use sweep::{DAMPING, Scratch};
+use wide::f32x4;
 
 /// Cells a side of the grid that is solved directly.
 const COARSEST_CELLS: usize = 2;
@@ -242,7 +243,11 @@ fn dot(a: &Nodes, b: &Nodes) -> f64 {
 /// a += s b.
 #[inline(never)]
 fn add_scaled(a: &mut Nodes, s: f32, b: &Nodes) {
-    for (x, y) in a.iter_mut().zip(b) {
+    let ((groups, rest), (other_groups, other_rest)) = (a.as_chunks_mut::<LANES>(), b.as_chunks::<LANES>());
+    for (x, y) in groups.iter_mut().zip(other_groups) {
+        *x = (f32x4::from(*x) + s * f32x4::from(*y)).to_array();
+    }
+    for (x, y) in rest.iter_mut().zip(other_rest) {
         *x += s * y;
     }
 }

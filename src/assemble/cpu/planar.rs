@@ -71,7 +71,8 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 let base = row * side + pack * F32x4::LANES;
                 // Differences are taken before the numbers are rounded.
                 let edges = |low: usize, high: usize| -> Vector<F32x4, D> {
-                    let (low, high) = (&displacement[(base + low) * D..], &displacement[(base + high) * D..]);
+                    let [low, high] =
+                        [low, high].map(|offset| &displacement[(base + offset) * D..][..F32x4::LANES * D]);
                     std::array::from_fn(|k| F32x4::gather(|lane| (high[lane * D + k] - low[lane * D + k]) * cells))
                 };
                 let cell = Cell::of_edges(&edges(0, 1), &edges(side, side + 1), &edges(0, side), &edges(1, side + 1));
@@ -166,12 +167,13 @@ fn add_cell_pairs<T: Scalar, const D: usize, const C: usize>(
         slots[1] = add_scaled(&cell.b, s, &cell.c);
         let mut response = Response::zero();
         volume.add::<T, HESSIAN>(weight, &Point::of_derivative(slots), &mut response);
-        response.hessian
+        let [[aa, ab, ..], [_, bb, ..], ..] = response.hessian;
+        [aa, ab, bb]
     };
     let points = [at(-o, -o), at(o, -o), at(-o, o), at(o, o)];
-    // The sum over the points of slots p and q, and its moments by s/o, t/o and st/o².
-    let moments = |p: usize, q: usize, k: usize, l: usize| {
-        let [x, y, z, w] = points.map(|hessian| hessian[p][q][k][l]);
+    // The sum over the points of a pair of slots, and its moments by s/o, t/o and st/o².
+    let moments = |pair: usize, k: usize, l: usize| {
+        let [x, y, z, w] = points.each_ref().map(|hessians| hessians[pair][k][l]);
         let (low, high, left, right) = (x + y, z + w, y - x, w - z);
         [low + high, left + right, high - low, right - left]
     };
@@ -180,7 +182,7 @@ fn add_cell_pairs<T: Scalar, const D: usize, const C: usize>(
     let mut hessian = [[[[T::zero(); D]; D]; 3]; 3];
     for k in 0..D {
         for l in 0..D {
-            let (aa, ab, bb, ba) = (moments(0, 0, k, l), moments(0, 1, k, l), moments(1, 1, k, l), moments(0, 1, l, k));
+            let (aa, ab, bb, ba) = (moments(0, k, l), moments(1, k, l), moments(2, k, l), moments(1, l, k));
             hessian[0][0][k][l] = quarter * aa[0];
             hessian[0][1][k][l] = quarter * ab[0];
             hessian[1][1][k][l] = quarter * bb[0];

@@ -107,10 +107,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         response: &Response<S, D>,
         inverse: S,
     ) {
+        // No term couples the tangents with the normal. Loops of known length come apart and leave no arrays in memory.
         let normal = normal_slot::<D>();
-        // No term couples the tangents with the normal, and without H¹ residual none sees the normal.
         let coupled = |p: usize, q: usize| (p == normal) == (q == normal) || p > normal || q > normal;
-        let seen = |p: usize| p != normal || self.functional.tangency > 0.0;
         let mut values = [[S::zero(); MAX_SLOTS]; C];
         for axis in 0..D {
             for edge in 0..Rule::<D, M>::EDGES {
@@ -126,11 +125,14 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         for corner in 0..Grid::<D>::CORNERS {
             values[corner][position_slot::<D>()] = S::splat(rule.shape[point][corner]);
         }
-        for b in 0..Grid::<D>::CORNERS {
+        for b in 0..C {
             // moved[p] = Σ_q s_bq H_pq
             let mut moved = [[[S::zero(); D]; D]; MAX_SLOTS];
-            for p in (0..=D).filter(|&p| seen(p)) {
-                for q in (0..=D).filter(|&q| seen(q) && coupled(p, q)) {
+            for p in 0..D + 1 {
+                for q in 0..D + 1 {
+                    if !coupled(p, q) {
+                        continue;
+                    }
                     for i in 0..D {
                         for j in 0..D {
                             let entry =
@@ -140,8 +142,11 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                     }
                 }
             }
-            for a in 0..=b {
-                for p in (0..=D).filter(|&p| seen(p)) {
+            for a in 0..C {
+                if a > b {
+                    continue;
+                }
+                for p in 0..D + 1 {
                     for i in 0..D {
                         for j in 0..D {
                             pairs[a][b][i][j] += values[a][p] * moved[p][i][j];

@@ -57,7 +57,7 @@ test("a whole session is within the policy", async ({ page }) => {
   await expect(page.getByRole("img", { name: /^Energy terms/ })).toBeVisible();
   await page.getByText("Compare side by side").click();
   await button(page, "Compare").click();
-  await expect(page.getByRole("row", { name: "Energy" })).toBeVisible();
+  await expect(page.getByRole("row", { name: "Energy" })).toBeVisible({ timeout: 30_000 });
   await page.getByRole("switch", { name: "Live" }).click();
   await finished(page);
   expect(await refused()).toEqual([]);

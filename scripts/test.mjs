@@ -16,6 +16,8 @@ import { buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const SURFACES = ["--features", "surfaces"];
+// With what computes on a graphics card; all else is the same code.
+const GPU = ["--features", "gpu"];
 const FUZZ_CASES = 2000;
 // In a glob, so that a second file of browser tests needs no word here.
 const BROWSER_TESTS = ["--test", "wasm*"];
@@ -28,6 +30,7 @@ const STEPS = {
       all(
         () => succeeds("cargo", ["fmt", "--check"]),
         () => succeeds("cargo", ["clippy", "--locked", "--all-targets", "--", "-D", "warnings"]),
+        () => succeeds("cargo", ["clippy", "--locked", ...GPU, "--lib", "--test", "gpu", "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...BROWSER_TESTS, "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...SURFACES, "--", "-D", "warnings"]),
         () => succeeds("cargo", ["doc", "--locked", "--no-deps", "--lib"], { RUSTDOCFLAGS: "-D warnings" }),
@@ -36,7 +39,7 @@ const STEPS = {
   },
   rust: {
     title: "rust: the solver's tests",
-    check: async () => cargoTests(await run("cargo", ["test", "--locked", "--no-fail-fast"])),
+    check: async () => cargoTests(await run("cargo", ["test", "--locked", ...GPU, "--no-fail-fast"])),
   },
   wasm: {
     title: "wasm: the solver in a worker of headless Chromium",

@@ -2,8 +2,14 @@
 
 mod band;
 mod cpu;
+#[cfg(feature = "gpu")]
+mod gpu;
+#[cfg(any(test, feature = "gpu"))]
+mod shaders;
 
 pub use cpu::CpuAssembler;
+#[cfg(feature = "gpu")]
+pub use gpu::{Gpu, GpuAssembler};
 
 use crate::energy::Energies;
 use crate::grid::Grid;

@@ -13,7 +13,7 @@ pub(super) struct Band<S, const D: usize> {
     /// Lowest nodes of a pack's cells, one a lane.
     pub packs: Vec<[usize; 2]>,
     /// `ReferenceSample`s, flattened: pack by pack, point by point.
-    samples: Vec<S>,
+    pub samples: Vec<S>,
 }
 
 /// The reference at one quadrature point of a pack.
@@ -168,7 +168,7 @@ pub(super) struct TemplateField<const D: usize> {
     grid: Grid<D>,
     offsets: [usize; MAX_CORNERS],
     /// By node: the distance, then the second derivative's upper triangle.
-    values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 impl<const D: usize> TemplateField<D> {

@@ -25,15 +25,15 @@ use crate::stencil::StencilOperator;
 /// The volume energy runs over all cells, the shell energies over the band's cells only. `S` is the scalar of the
 /// kernels: `f64`, or lanes of it for two cells at once.
 pub struct CpuAssembler<const D: usize, S: Scalar = F64x2> {
-    functional: Functional,
-    grid: Grid<D>,
+    pub(super) functional: Functional,
+    pub(super) grid: Grid<D>,
     gauss3: Rule<D, 3>,
     gauss2: Rule<D, 2>,
     vertices: Rule<D, 2>,
-    band: Band<S, D>,
-    template: TemplateField<D>,
+    pub(super) band: Band<S, D>,
+    pub(super) template: TemplateField<D>,
     /// Weight of the volume density by cells, quadrature weights excluded.
-    volume_weight: Vec<f64>,
+    pub(super) volume_weight: Vec<f64>,
     pins: Vec<pins::Placed<D>>,
     corner_neighbours: [[usize; MAX_CORNERS]; MAX_CORNERS],
     integrals: spatial::CellIntegrals<D>,

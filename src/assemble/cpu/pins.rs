@@ -37,6 +37,21 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         }));
     }
 
+    /// [`pins_pass`](Self::pins_pass), for an assembler that computes all else.
+    #[cfg(feature = "gpu")]
+    pub(in crate::assemble) fn add_pins<const ORDER: u8>(
+        &self,
+        displacement: &[f64],
+        gradient: &mut [f64],
+        operator: &mut Option<&mut StencilOperator<D>>,
+        energies: &mut Energies,
+    ) {
+        match D {
+            2 => self.pins_pass::<ORDER, 4>(displacement, gradient, operator, energies),
+            _ => self.pins_pass::<ORDER, 8>(displacement, gradient, operator, energies),
+        }
+    }
+
     /// The energy of the pins.
     pub(super) fn pins_pass<const ORDER: u8, const C: usize>(
         &self,

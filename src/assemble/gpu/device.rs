@@ -1,0 +1,132 @@
+use super::kernels::Kernels;
+use std::cell::OnceCell;
+use std::future::poll_fn;
+use std::rc::Rc;
+use std::sync::{Arc, Mutex};
+use std::task::{Poll, Waker};
+
+/// A graphics card, and the kernels compiled for it.
+pub struct Gpu {
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
+    name: String,
+    is_software: bool,
+    trouble: Arc<Mutex<Option<String>>>,
+    kernels: [OnceCell<Rc<Kernels>>; 2],
+}
+
+impl Gpu {
+    /// # Errors
+    /// A sentence, if there is no card or it refuses.
+    pub async fn open() -> Result<Rc<Self>, String> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
+        let adapter = instance
+            .request_adapter(&options)
+            .await
+            .map_err(|error| format!("there is no graphics card to compute on ({error})"))?;
+        let info = adapter.get_info();
+        // The limits that every device has are enough: what is large is written in slabs.
+        let descriptor = wgpu::DeviceDescriptor { required_limits: wgpu::Limits::default(), ..Default::default() };
+        let (device, queue) = adapter
+            .request_device(&descriptor)
+            .await
+            .map_err(|error| format!("the graphics card refuses to compute ({error})"))?;
+
+        let trouble = Arc::new(Mutex::new(None));
+        let (lost, failed) = (trouble.clone(), trouble.clone());
+        device.set_device_lost_callback(move |_, message| {
+            note(&lost, format!("the graphics device was lost ({message})"));
+        });
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            note(&failed, format!("the graphics device failed ({error})"));
+        }));
+        Ok(Rc::new(Self {
+            device,
+            queue,
+            is_software: info.device_type == wgpu::DeviceType::Cpu,
+            name: info.name,
+            trouble,
+            kernels: Default::default(),
+        }))
+    }
+
+    /// The adapter's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether a processor plays the card.
+    pub fn is_software(&self) -> bool {
+        self.is_software
+    }
+
+    /// Why nothing can be computed any more.
+    pub fn trouble(&self) -> Option<String> {
+        self.trouble.lock().map_or_else(|poisoned| poisoned.into_inner().clone(), |trouble| trouble.clone())
+    }
+
+    /// Gives the device up, as a driver may at any time.
+    pub fn destroy(&self) {
+        self.device.destroy();
+        note(&self.trouble, "the graphics device was given up".to_owned());
+    }
+
+    pub(super) fn kernels<const D: usize>(&self) -> Rc<Kernels> {
+        self.kernels[D - 2].get_or_init(|| Rc::new(Kernels::new::<D>(&self.device))).clone()
+    }
+
+    /// The bytes of a buffer's beginning, once all that was submitted is done; None if the device fails.
+    pub(super) async fn read<T>(&self, buffer: &wgpu::Buffer, bytes: u64, take: impl FnOnce(&[u8]) -> T) -> Option<T> {
+        let answer = Arc::new(Mutex::new(Answer::default()));
+        let given = answer.clone();
+        buffer.map_async(wgpu::MapMode::Read, 0..bytes, move |result| give(&given, result.is_ok()));
+        #[cfg(not(target_arch = "wasm32"))]
+        self.device.poll(wgpu::PollType::wait_indefinitely()).ok()?;
+        let mapped = poll_fn(|context| match answer.lock() {
+            Err(_) => Poll::Ready(false),
+            Ok(mut answer) => answer.mapped.map_or_else(
+                || {
+                    answer.waker = Some(context.waker().clone());
+                    Poll::Pending
+                },
+                Poll::Ready,
+            ),
+        })
+        .await;
+        if !mapped {
+            note(&self.trouble, "the graphics device gives no answer".to_owned());
+            return None;
+        }
+        let taken = buffer.get_mapped_range(0..bytes).ok().map(|view| take(&view));
+        buffer.unmap();
+        taken.filter(|_| self.trouble().is_none())
+    }
+}
+
+/// Whether a buffer could be mapped, and who waits to hear it.
+#[derive(Default)]
+struct Answer {
+    mapped: Option<bool>,
+    waker: Option<Waker>,
+}
+
+fn give(answer: &Mutex<Answer>, mapped: bool) {
+    let waker = answer.lock().ok().and_then(|mut answer| {
+        answer.mapped = Some(mapped);
+        answer.waker.take()
+    });
+    if let Some(waker) = waker {
+        waker.wake();
+    }
+}
+
+/// The first reason is the one to tell.
+fn note(trouble: &Mutex<Option<String>>, reason: String) {
+    if let Ok(mut trouble) = trouble.lock() {
+        trouble.get_or_insert(reason);
+    }
+}

@@ -1,0 +1,135 @@
+use crate::assemble::shaders::source;
+use crate::energy::{GRADIENT, HESSIAN, VALUE};
+
+/// Invocations of a workgroup.
+pub(super) const GROUP: usize = 64;
+
+/// Bindings, numbered as in `shaders/level.wgsl`.
+pub(super) mod binding {
+    pub const LEVEL: u32 = 0;
+    pub const SLAB: u32 = 1;
+    pub const NODES: u32 = 2;
+    pub const VOLUME_WEIGHTS: u32 = 3;
+    pub const TEMPLATE: u32 = 4;
+    pub const BAND: u32 = 5;
+    pub const SAMPLES: u32 = 6;
+    pub const FORCES: u32 = 7;
+    pub const ROWS: u32 = 8;
+    pub const GRADIENT: u32 = 9;
+    pub const RESULTS: u32 = 10;
+    pub const PAIRS: u32 = 11;
+    pub const BLOCKS: u32 = 12;
+}
+use binding as b;
+
+/// An entry point, and what it is given: no more than eight arrays, which every device has.
+pub(super) struct Kernel {
+    pipeline: wgpu::ComputePipeline,
+    layout: wgpu::BindGroupLayout,
+    bindings: &'static [u32],
+}
+
+/// All entry points; those of cells by order of differentiation, the value or the gradient.
+pub(super) struct Kernels {
+    pub volume: [Kernel; 2],
+    pub shell: [Kernel; 2],
+    pub gather_gradient: Kernel,
+    pub reduce: Kernel,
+    pub volume_pairs: Kernel,
+    pub shell_pairs: Kernel,
+    pub gather_blocks: Kernel,
+}
+
+impl Kernels {
+    pub fn new<const D: usize>(device: &wgpu::Device) -> Self {
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: None,
+            source: wgpu::ShaderSource::Wgsl(source::<D>().into()),
+        });
+        let kernel = |entry, order, bindings| Kernel::new(device, &module, entry, order, bindings);
+        let volume = |order| {
+            kernel("volume_cells", order, &[b::LEVEL, b::SLAB, b::NODES, b::VOLUME_WEIGHTS, b::FORCES, b::ROWS])
+        };
+        let shell = |order| {
+            let arrays = &[b::LEVEL, b::SLAB, b::NODES, b::TEMPLATE, b::BAND, b::SAMPLES, b::FORCES, b::ROWS];
+            kernel("shell_cells", order, arrays)
+        };
+        Self {
+            volume: [VALUE, GRADIENT].map(volume),
+            shell: [VALUE, GRADIENT].map(shell),
+            gather_gradient: kernel("gather_gradient", GRADIENT, &[b::LEVEL, b::SLAB, b::FORCES, b::GRADIENT]),
+            reduce: kernel("reduce", VALUE, &[b::ROWS, b::RESULTS]),
+            volume_pairs: kernel("volume_pairs", HESSIAN, &[b::LEVEL, b::SLAB, b::NODES, b::VOLUME_WEIGHTS, b::PAIRS]),
+            shell_pairs: kernel(
+                "shell_pairs",
+                HESSIAN,
+                &[b::LEVEL, b::SLAB, b::NODES, b::TEMPLATE, b::BAND, b::SAMPLES, b::PAIRS],
+            ),
+            gather_blocks: kernel("gather_blocks", HESSIAN, &[b::LEVEL, b::SLAB, b::PAIRS, b::BLOCKS]),
+        }
+    }
+}
+
+impl Kernel {
+    fn new(
+        device: &wgpu::Device,
+        module: &wgpu::ShaderModule,
+        entry: &str,
+        order: u8,
+        bindings: &'static [u32],
+    ) -> Self {
+        let entries: Vec<_> = bindings.iter().map(|&binding| layout_of(binding)).collect();
+        let layout =
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(entry), entries: &entries });
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(entry),
+            bind_group_layouts: &[Some(&layout)],
+            ..Default::default()
+        });
+        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(entry),
+            layout: Some(&pipeline_layout),
+            module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                constants: &[("ORDER", f64::from(order))],
+                ..Default::default()
+            },
+            cache: None,
+        });
+        Self { pipeline, layout, bindings }
+    }
+
+    /// So many invocations, in whole workgroups; none need be none.
+    pub fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, buffers: &wgpu::BindGroup, invocations: usize) {
+        if invocations > 0 {
+            pass.set_pipeline(&self.pipeline);
+            pass.set_bind_group(0, buffers, &[]);
+            pass.dispatch_workgroups(invocations.div_ceil(GROUP) as u32, 1, 1);
+        }
+    }
+
+    /// The bind group of the buffers that it is given.
+    pub fn bind<'a>(&self, device: &wgpu::Device, buffer: impl Fn(u32) -> &'a wgpu::Buffer) -> wgpu::BindGroup {
+        let entries: Vec<_> = self
+            .bindings
+            .iter()
+            .map(|&binding| wgpu::BindGroupEntry { binding, resource: buffer(binding).as_entire_binding() })
+            .collect();
+        device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &self.layout, entries: &entries })
+    }
+}
+
+fn layout_of(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    let ty = match binding {
+        b::LEVEL | b::SLAB => wgpu::BufferBindingType::Uniform,
+        b::NODES..=b::SAMPLES => wgpu::BufferBindingType::Storage { read_only: true },
+        _ => wgpu::BufferBindingType::Storage { read_only: false },
+    };
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::COMPUTE,
+        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
+        count: None,
+    }
+}

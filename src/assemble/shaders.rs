@@ -1,0 +1,61 @@
+//! The shaders' text: WGSL twins of the energies and of what assembles them, in `shaders/`.
+
+/// The modules that all dimensions share, in the order of the crate's own.
+const SHARED: [&str; 14] = [
+    include_str!("../../shaders/level.wgsl"),
+    include_str!("../../shaders/small.wgsl"),
+    include_str!("../../shaders/quadrature.wgsl"),
+    include_str!("../../shaders/cell.wgsl"),
+    include_str!("../../shaders/energy.wgsl"),
+    include_str!("../../shaders/membrane.wgsl"),
+    include_str!("../../shaders/projected.wgsl"),
+    include_str!("../../shaders/bending.wgsl"),
+    include_str!("../../shaders/mismatch.wgsl"),
+    include_str!("../../shaders/tangency.wgsl"),
+    include_str!("../../shaders/volume.wgsl"),
+    include_str!("../../shaders/reference.wgsl"),
+    include_str!("../../shaders/template.wgsl"),
+    include_str!("../../shaders/reduce.wgsl"),
+];
+
+const PLANE: &str = include_str!("../../shaders/plane.wgsl");
+const SPACE: &str = include_str!("../../shaders/space.wgsl");
+const ASSEMBLE: &str = include_str!("../../shaders/assemble.wgsl");
+const HESSIAN: &str = include_str!("../../shaders/hessian.wgsl");
+
+/// The whole module for D dimensions.
+pub(super) fn source<const D: usize>() -> String {
+    let dimension = if D == 2 { PLANE } else { SPACE };
+    [&[dimension], SHARED.as_slice(), &[ASSEMBLE, HESSIAN]].concat().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use naga::front::wgsl;
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    fn is_valid<const D: usize>() {
+        let text = source::<D>();
+        let module = wgsl::parse_str(&text).unwrap_or_else(|error| panic!("{}", error.emit_to_string(&text)));
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+        validator.validate(&module).unwrap_or_else(|error| panic!("{}", error.emit_to_string(&text)));
+        let entries: Vec<&str> = module.entry_points.iter().map(|entry| entry.name.as_str()).collect();
+        let expected = [
+            "reduce",
+            "volume_cells",
+            "shell_cells",
+            "gather_gradient",
+            "volume_pairs",
+            "shell_pairs",
+            "gather_blocks",
+        ];
+        assert_eq!(entries, expected);
+    }
+
+    #[test]
+    fn the_shaders_are_valid_in_both_dimensions() {
+        is_valid::<2>();
+        is_valid::<3>();
+    }
+}

@@ -220,12 +220,9 @@ impl<const D: usize> Layout<D> {
     #[inline(never)]
     fn put_earlier(&self, row: usize, right: Option<&Nodes>, target: &mut Nodes, scratch: &Scratch<D>) {
         let start = self.row_start(row);
-        let mut place = LANES + 1;
-        let from = scratch.from_earlier.each_ref().map(|lines| {
-            let lines = lines.each_ref().map(|line| self.groups_of(line, place));
-            place -= 1;
-            lines
-        });
+        let [behind, under, ahead] = &scratch.from_earlier;
+        let from =
+            [(behind, LANES + 1), (under, LANES), (ahead, LANES - 1)].map(|(lines, first)| self.lines(lines, first));
         let right = right.map(|right| self.row(right, start));
         let mut target = self.row_mut(target, start);
         for group in 0..self.groups {
@@ -345,6 +342,11 @@ impl<const D: usize> Layout<D> {
             rest = next;
             &mut line.as_chunks_mut().0[..self.groups]
         })
+    }
+
+    #[inline(always)]
+    fn lines<'a>(&self, lines: &'a [Vec<f32>; D], first: usize) -> [&'a [[f32; LANES]]; D] {
+        lines.each_ref().map(|line| self.groups_of(line, first))
     }
 
     #[inline(always)]

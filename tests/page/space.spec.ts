@@ -158,6 +158,73 @@ test("what is under the pointer has its partner in the other views", async ({ pa
   await expect(marks).toHaveCount(0);
 });
 
+test("pins are set by presses and by keys, moved, deleted and undone, hold in the match, and stand in link and JSON", async ({
+  page,
+}) => {
+  test.slow();
+  const { errors } = watch(page);
+  await page.goto(`${SMALL}&align=none`);
+  await finished(page);
+  await button(page, "Set pins").click();
+  const pins = page.locator("button.pin");
+  const guide = page.locator("#space-pins");
+  const press = async (name: "Reference" | "Template", right: number, down: number) => {
+    const canvas = surface(page, name);
+    const box = await canvas.boundingBox();
+    if (!box) throw new Error(`no ${name}`);
+    await canvas.click({ position: { x: right * box.width, y: down * box.height } });
+  };
+  await press("Reference", 0.6, 0.5);
+  await expect(guide).toContainText("Pin 1 begins on the reference");
+  await press("Template", 0.64, 0.47);
+  await expect(pins).toHaveCount(2);
+  await expect(page).toHaveURL(/pins=0\.\d+%2C/);
+  await expect(page.getByRole("status")).toContainText("press Match");
+  await button(page, "Match").click();
+  await finished(page);
+  expect(await value(page, "pins-off")).toBeLessThan(0.5);
+  expect(JSON.parse(await saved(page, "Everything (JSON)")).pins).toHaveLength(1);
+
+  await surface(page, "Template").focus();
+  await page.keyboard.press("Enter");
+  await expect(guide).toContainText("Pin 2 begins on the template");
+  await surface(page, "Reference").focus();
+  await page.keyboard.press("Enter");
+  await expect(pins).toHaveCount(4);
+  const second = page.getByRole("button", { name: "Pin 2 on the reference" });
+  const places = () => new URLSearchParams(new URL(page.url()).hash.slice(1)).get("pins")?.split(",").map(Number) ?? [];
+  await expect.poll(places).toHaveLength(12);
+  const before = places();
+  await second.focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect.poll(places).not.toEqual(before);
+  // Only this end has moved, and it is still on the sphere.
+  const moved = places();
+  expect(moved.filter((x, k) => x === before[k]).length).toBeGreaterThanOrEqual(9);
+  expect(Math.hypot(...[6, 7, 8].map((k) => moved[k] - 0.5))).toBeCloseTo(0.24, 2);
+  await page.keyboard.press("Delete");
+  await expect(pins).toHaveCount(2);
+
+  const first = page.getByRole("button", { name: "Pin 1 on the template" });
+  const box = await first.boundingBox();
+  if (!box) throw new Error("no pin");
+  const held = places();
+  await page.mouse.move(box.x + 12, box.y + 12);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 42, box.y + 22, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(places).not.toEqual(held);
+  await button(page, "Undo").click();
+  await expect.poll(places).toEqual(held);
+  await page.reload();
+  await finished(page);
+  await expect(pins).toHaveCount(2);
+  await button(page, "Delete all pins").click();
+  await expect(pins).toHaveCount(0);
+  await expect.poll(places).toEqual([]);
+  expect(ours(errors)).toEqual([]);
+});
+
 test("the match after each grid can be looked back to, and plays", async ({ page }) => {
   test.slow();
   await page.goto("./#space=1&finest=4&coarsest=3&reference=torus&template=torus-bent");
@@ -297,8 +364,9 @@ for (const [scheme, media] of Object.entries({
 } as const)) {
   test(`surfaces have no accessibility violation: ${scheme}`, async ({ page }) => {
     await page.emulateMedia(media);
-    await page.goto(`${SMALL}&view=area`);
+    await page.goto(`${SMALL}&view=area&align=none&pins=0.74,0.5,0.5,0.82,0.5,0.5`);
     await finished(page);
+    await button(page, "Set pins").click();
     await page.locator("summary", { hasText: "Settings" }).click();
     expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
     await page.getByLabel("View", { exact: true }).selectOption("Slice");

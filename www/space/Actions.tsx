@@ -2,6 +2,8 @@ import { useSignal } from "@preact/signals";
 import { isPaused, isWorking } from "../phase";
 import { space as say } from "../words/space";
 import { START } from "./camera";
+import { PinActions } from "./Pins";
+import { swapped } from "./pins";
 import type { SpaceSession } from "./session";
 import type { Ways } from "./ways";
 
@@ -11,7 +13,7 @@ export function Actions({ session, ways }: Properties) {
   const phase = session.phase.value;
   const [working, paused] = [isWorking(phase), isPaused(phase)];
   const { actions } = say;
-  const { reference, template } = session.step.value;
+  const { reference, template, pins } = session.step.value;
   return (
     <div class="toolbar">
       <div class="group">
@@ -35,7 +37,7 @@ export function Actions({ session, ways }: Properties) {
         <button
           type="button"
           title={actions.swapHelp}
-          onClick={() => session.commit({ reference: template, template: reference })}
+          onClick={() => session.commit({ reference: template, template: reference, pins: swapped(pins) })}
         >
           {actions.swap}
         </button>
@@ -48,6 +50,7 @@ export function Actions({ session, ways }: Properties) {
         >
           {actions.camera}
         </button>
+        <PinActions session={session} />
         <CopyLink ways={ways} />
       </div>
     </div>

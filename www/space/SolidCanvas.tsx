@@ -1,7 +1,8 @@
-import { effect, type ReadonlySignal } from "@preact/signals";
+import { effect, type ReadonlySignal, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { space as say } from "../words/space";
 import { keyed, orbited, type Pose, panned, zoomed } from "./camera";
+import { PinMarks, type Pixel, type Size, setPin } from "./Pins";
 import { Mark, point, type Shown } from "./partners";
 import type { SpaceSession } from "./session";
 import { type Scene, Stage } from "./stage";
@@ -19,9 +20,14 @@ type Properties = {
   readonly staged?: (stage: Stage | null) => void;
 };
 
+/** A press that moves by no more sets a pin and does not turn. Pixels. */
+const STILL_HAND = 4;
+
 /** A scene that can be turned, moved and zoomed by mouse, fingers and keys; every view turns with it. */
 export function SolidCanvas({ session, scene, morph, label, role, id, shown, staged }: Properties) {
   const canvas = useRef<HTMLCanvasElement>(null);
+  const pressed = useRef<Pixel | null>(null);
+  const size = useSignal<Size>({ width: 0, height: 0 });
 
   useEffect(() => {
     if (!canvas.current) return;
@@ -49,7 +55,10 @@ export function SolidCanvas({ session, scene, morph, label, role, id, shown, sta
       for (const seen of [scene, morph, session.pose]) seen.value;
       invalidate();
     });
-    const watcher = new ResizeObserver(invalidate);
+    const watcher = new ResizeObserver(() => {
+      size.value = { width: target.clientWidth, height: target.clientHeight };
+      invalidate();
+    });
     watcher.observe(target);
     const unbind = gestures(target, session);
     return () => {
@@ -60,10 +69,16 @@ export function SolidCanvas({ session, scene, morph, label, role, id, shown, sta
       cancelAnimationFrame(pending);
       stage.dispose();
     };
-  }, [session, scene, morph, staged]);
+  }, [session, scene, morph, staged, size]);
 
   const press = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "Enter" && shown !== "result" && session.pinning.peek() && canvas.current) {
+      event.preventDefault();
+      setPin(session, shown, canvas.current);
+      return;
+    }
+    if (event.key === "Escape") session.begun.value = null;
     const pose = keyed(session.pose.value, event.key, event.shiftKey);
     if (!pose) return;
     event.preventDefault();
@@ -79,11 +94,21 @@ export function SolidCanvas({ session, scene, morph, label, role, id, shown, sta
         aria-label={label}
         aria-describedby="space-keys"
         onKeyDown={press}
+        onPointerDown={({ offsetX: x, offsetY: y }) => {
+          pressed.current = { x, y };
+        }}
+        onClick={({ offsetX: x, offsetY: y }) => {
+          const from = pressed.current;
+          const isDrag = !from || Math.hypot(x - from.x, y - from.y) > STILL_HAND;
+          if (shown !== "result" && session.pinning.peek() && !isDrag && canvas.current)
+            setPin(session, shown, canvas.current, { x, y });
+        }}
         onPointerMove={(event) => point(session, shown, event)}
         onPointerLeave={() => {
           session.partners.value = null;
         }}
       />
+      <PinMarks session={session} shown={shown} morph={morph} canvas={canvas} size={size} />
       <Mark session={session} shown={shown} morph={morph} canvas={canvas} />
     </>
   );

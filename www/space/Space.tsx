@@ -10,6 +10,7 @@ import { useDrops, useTitle } from "./document";
 import { Examples } from "./Examples";
 import { LevelChoice, PlaneChoice, ViewPicker } from "./Looks";
 import { Morph } from "./Morph";
+import { PinGuide } from "./Pins";
 import { Problem, Spoken } from "./Said";
 import { Save } from "./Save";
 import { SettingsPanel } from "./SettingsPanel";
@@ -90,6 +91,7 @@ export function Space({ session, ways }: Properties) {
       <div class="actions">
         <Actions session={session} ways={ways} />
         <Problem session={session} />
+        <PinGuide session={session} />
         <p id="space-keys" class="help">
           {say.keys}
         </p>

@@ -4,6 +4,7 @@ import { en } from "../words/en";
 import { decimals } from "../words/numbers";
 import { verdict } from "../words/said";
 import { space as say } from "../words/space";
+import { farthestOff } from "./pins";
 import type { SpaceSession } from "./session";
 import { finestLevel } from "./settings";
 
@@ -36,6 +37,7 @@ export function Status({ session }: { session: SpaceSession }) {
                 value={status.stretch.deviation}
                 text={decimals(status.stretch.deviation)}
               />
+              <PinsOff session={session} />
               <Value
                 {...named("least-determinant")}
                 value={status.leastDeterminant}
@@ -50,6 +52,15 @@ export function Status({ session }: { session: SpaceSession }) {
       )}
     </div>
   );
+}
+
+/** How far the pin that ends farthest from its partner does. */
+function PinsOff({ session }: { session: SpaceSession }) {
+  const result = session.result.value;
+  if (!result || result.pins.length === 0) return null;
+  const { pins, reference, frame } = result;
+  const off = farthestOff(pins, reference.positions, frame.matched) * 2 ** frame.status.level;
+  return <Value {...named("pins-off")} value={off} text={decimals(off)} unit={say.cells} />;
 }
 
 function headline(session: SpaceSession): string {

@@ -34,9 +34,9 @@ export function ply(result: Result): string {
   return `${lines.join("\n")}\n`;
 }
 
-/** Surfaces, settings and, of a match, φ at the nodes: x y z a node, x fastest. */
+/** Surfaces, pins, settings and, of a match, φ at the nodes: x y z a node, x fastest. */
 export function json(step: Step, result: Result | null): string {
-  const { reference, template, settings } = result ?? step;
+  const { reference, template, pins, settings } = result ?? step;
   const solid = ({ name, positions, indices }: Step["reference"]) => ({
     name,
     positions: Array.from(positions),
@@ -52,6 +52,7 @@ export function json(step: Step, result: Result | null): string {
     version: 1,
     reference: solid(reference),
     template: solid(template),
+    pins,
     settings,
     match,
   });

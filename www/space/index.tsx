@@ -58,8 +58,8 @@ export async function open(hash: string, leave: () => void) {
     session: shown,
     /** Shows what such a text says. Throws a sentence's part where it cannot be read; then nothing has changed. */
     set: (text: string) => {
-      const { reference, template, settings, look } = decode(text);
-      shown.commit({ reference: galleryOnly(reference), template: galleryOnly(template), settings });
+      const { reference, template, pins, settings, look } = decode(text);
+      shown.commit({ reference: galleryOnly(reference), template: galleryOnly(template), pins, settings });
       shown.look(look);
       shown.start();
     },
@@ -75,7 +75,7 @@ export async function open(hash: string, leave: () => void) {
 
 function first(): Step {
   const [{ reference, template }] = PAIRS;
-  return { reference: galleryOnly(reference), template: galleryOnly(template), settings: {} };
+  return { reference: galleryOnly(reference), template: galleryOnly(template), pins: [], settings: {} };
 }
 
 function galleryOnly(id: string): Solid {
@@ -94,7 +94,8 @@ async function linked(text: string): Promise<Asked> {
       solidOf(found.reference, "reference"),
       solidOf(found.template, "template"),
     ]);
-    return { step: { reference, template, settings: found.settings }, linked: found, problem: null };
+    const { pins, settings } = found;
+    return { step: { reference, template, pins, settings }, linked: found, problem: null };
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
     return { step: first(), linked: { look: FIRST_LOOK }, problem: say.links.notRead(why) };

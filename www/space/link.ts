@@ -1,11 +1,12 @@
 /**
  * A pair of surfaces, its settings and how it is looked at as text, for the address: `space=1&reference=…&template=…`,
- * then the settings that differ from their defaults, then `view`, `morph`, `plane` and `camera` where they do.
+ * then `pins`, the settings that differ from their defaults, and `view`, `morph`, `plane` and `camera` where they do.
  */
 
 import { type Chosen, parseSetting, withSetting } from "../settings";
 import { space as say } from "../words/space";
 import { type Pose, START } from "./camera";
+import { flat, MOST_PINS, type Pin, pinsFrom } from "./pins";
 import { FIRST_LOOK, type Look, type Step, VIEWS } from "./session";
 import { SPACE_FIELDS } from "./settings";
 
@@ -13,14 +14,16 @@ export type Linked = {
   /** Names of the gallery, or keys of what is kept. */
   readonly reference: string;
   readonly template: string;
+  readonly pins: readonly Pin[];
   readonly settings: Chosen;
   readonly look: Look;
 };
 
-type Named = Pick<Step, "settings"> & Record<"reference" | "template", { readonly id: string }>;
+type Named = Pick<Step, "pins" | "settings"> & Record<"reference" | "template", { readonly id: string }>;
 
-export function encode({ reference, template, settings }: Named, { view, morph, plane, pose }: Look): string {
+export function encode({ reference, template, pins, settings }: Named, { view, morph, plane, pose }: Look): string {
   const query = new URLSearchParams({ space: "1", reference: reference.id, template: template.id });
+  if (pins.length > 0) query.set("pins", Array.from(flat(pins), short).join(","));
   for (const { name } of SPACE_FIELDS) {
     const value = settings[name];
     if (value !== undefined) query.set(name, String(value));
@@ -51,9 +54,20 @@ export function decode(text: string): Linked {
   return {
     reference: query.get("reference") ?? "sphere",
     template: query.get("template") ?? "ellipsoid",
+    pins: pinsOf(query.get("pins")),
     settings,
     look: { view, morph, plane, pose: poseFrom(query.get("camera")) },
   };
+}
+
+function pinsOf(text: string | null): Pin[] {
+  const count = text === null ? 0 : Math.min(MOST_PINS, Math.ceil(text.split(",").length / 6));
+  return pinsFrom(
+    numbers(
+      text,
+      Array.from({ length: 6 * count }, () => [0, 1] as const),
+    ),
+  );
 }
 
 function poseFrom(text: string | null): Pose {

@@ -11,7 +11,7 @@ function made(id: string): Solid {
   return solid;
 }
 
-const STEP = { reference: made("sphere"), template: made("ellipsoid"), settings: {} };
+const STEP = { reference: made("sphere"), template: made("ellipsoid"), pins: [], settings: {} };
 
 function begun() {
   const { engine, puppets } = puppetEngine();
@@ -89,6 +89,31 @@ test("a pause stops, what is chosen meanwhile starts anew, and a cancel ends", (
   session.cancel();
   expect(session.phase.value).toBe("cancelled");
   expect(session.result.value).toBeNull();
+});
+
+test("two presses, one on each surface, are a pin, which can be undone; other surfaces take it away", () => {
+  const { session, puppet, frame } = begun();
+  session.start();
+  frame(true);
+  session.setPin("template", [0.5, 0.7, 0.5]);
+  expect(session.step.value.pins).toEqual([]);
+  // Another press on the same side is another place for the same end.
+  session.setPin("template", [0.5, 0.3, 0.5]);
+  session.setPin("reference", [0.74, 0.5, 0.5]);
+  const pin = { reference: [0.74, 0.5, 0.5], template: [0.5, 0.3, 0.5] };
+  expect(session.step.value.pins).toEqual([pin]);
+  expect(session.begun.value).toBeNull();
+  expect(session.stale.value).toBe(true);
+  session.start();
+  const pins = Float64Array.of(0.74, 0.5, 0.5, 0.5, 0.3, 0.5);
+  expect(puppet.starts.at(-1)).toMatchObject({ settings: { pins } });
+  session.undo();
+  expect(session.step.value.pins).toEqual([]);
+  session.redo();
+  session.commit({ template: made("cube") });
+  expect(session.step.value.pins).toEqual([]);
+  session.undo();
+  expect(session.step.value.pins).toEqual([pin]);
 });
 
 test("a refusal is said as a sentence and ends the run", () => {

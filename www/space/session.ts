@@ -11,6 +11,7 @@ import { type Chosen, type SettingField, sameSettings, withSetting } from "../se
 import { Solver } from "../solver";
 import { space as say } from "../words/space";
 import { type Pose, START } from "./camera";
+import { flat, type Pin, samePins } from "./pins";
 import type { Plane } from "./slice";
 import type { Solid, Vector } from "./solid";
 
@@ -21,7 +22,12 @@ export type View = "colours" | "area" | "distance" | "slice";
 export const VIEWS: readonly View[] = ["colours", "area", "distance", "slice"];
 
 /** One step that can be undone. */
-export type Step = { readonly reference: Solid; readonly template: Solid; readonly settings: Chosen };
+export type Step = {
+  readonly reference: Solid;
+  readonly template: Solid;
+  readonly pins: readonly Pin[];
+  readonly settings: Chosen;
+};
 
 export type SolidFrame = AnyFrame & {
   /** φ at the nodes of the level, x y z a node, x fastest. */
@@ -67,6 +73,13 @@ export class SpaceSession {
   readonly morph = signal(1);
   readonly plane = signal<Plane>(FIRST_LOOK.plane);
   readonly pose = signal<Pose>(START);
+  /** Whether a press on a surface sets a pin. */
+  readonly pinning = signal(false);
+  /** The end of a pin that waits for its partner. */
+  readonly begun = signal<{ readonly side: Side; readonly point: Vector } | null>(null);
+  /** Pins while the hand moves one. */
+  readonly moving = signal<readonly Pin[] | null>(null);
+  readonly pins = computed(() => this.moving.value ?? this.step.value.pins);
   /** The template, seen through the match. */
   readonly showsTarget = signal(false);
 
@@ -94,7 +107,9 @@ export class SpaceSession {
   readonly partners = signal<Partners | null>(null);
   readonly stale = computed(() => {
     const result = this.result.value;
-    return result !== null && !isWorking(this.state.value) && !sameSettings(result.settings, this.step.value.settings);
+    if (result === null || isWorking(this.state.value)) return false;
+    const { settings, pins } = this.step.value;
+    return !sameSettings(result.settings, settings) || !samePins(result.pins, pins);
   });
 
   constructor(engine: Engine, step: Step, look: Look = FIRST_LOOK) {
@@ -129,8 +144,8 @@ export class SpaceSession {
     this.fresh.value = false;
     this.ends.value = [];
     this.chosenLevel.value = null;
-    const { reference, template, settings } = this.sent;
-    this.solver.start(mesh(reference), mesh(template), settings);
+    const { reference, template, pins, settings } = this.sent;
+    this.solver.start(mesh(reference), mesh(template), { ...settings, pins: flat(pins) });
   }
 
   pause(): void {
@@ -148,19 +163,23 @@ export class SpaceSession {
     this.solver.cancel();
   }
 
-  /** One step to undo. */
+  /** One step to undo. Pins lead to surfaces: they go with them, unless others come. */
   commit(change: Partial<Step>): void {
     this.problem.value = null;
-    this.history.value = changed(this.history.value, { ...this.step.value, ...change });
+    this.begun.value = null;
+    const kept = change.reference || change.template ? { pins: [] } : {};
+    this.history.value = changed(this.history.value, { ...this.step.value, ...kept, ...change });
     this.follow();
   }
 
   undo(): void {
+    this.begun.value = null;
     this.history.value = undone(this.history.value);
     this.follow();
   }
 
   redo(): void {
+    this.begun.value = null;
     this.history.value = redone(this.history.value);
     this.follow();
   }
@@ -168,6 +187,16 @@ export class SpaceSession {
   changeSetting(field: SettingField, value: number | string | boolean): void {
     const settings = withSetting(this.step.value.settings, field, value);
     if (!sameSettings(settings, this.step.value.settings)) this.commit({ settings });
+  }
+
+  /** One end of a pin; with the other one there already, the pin. */
+  setPin(side: Side, point: Vector): void {
+    const begun = this.begun.value;
+    if (!begun || begun.side === side) this.begun.value = { side, point };
+    else {
+      const pin = { [side]: point, [begun.side]: begun.point } as Pin;
+      this.commit({ pins: [...this.step.value.pins, pin] });
+    }
   }
 
   dispose(): void {

@@ -7,7 +7,15 @@ const FINEST = 5;
 const LEVELS = [4, 5, 6, 7];
 
 /** What the panel offers. */
-const OFFERED: ReadonlySet<string> = new Set(["membrane", "bending", "penalty", "volume", "align", "bendingModel"]);
+const OFFERED: ReadonlySet<string> = new Set([
+  "membrane",
+  "bending",
+  "penalty",
+  "volume",
+  "align",
+  "bendingModel",
+  "pinWeight",
+]);
 
 export const SPACE_FIELDS: readonly SettingField[] = FIELDS.flatMap((field): SettingField[] => {
   if (field.name === "finest") {

@@ -208,7 +208,7 @@ describe("what is under the pointer", () => {
 });
 
 describe("a link", () => {
-  const step = { reference: made("torus"), template: made("cube"), settings: { finest: 4, bending: 0 } };
+  const step = { reference: made("torus"), template: made("cube"), pins: [], settings: { finest: 4, bending: 0 } };
   const look = {
     view: "slice",
     morph: 0.25,
@@ -218,7 +218,7 @@ describe("a link", () => {
 
   test("brings back surfaces, settings, view and camera", () => {
     const { settings, look: read, ...ids } = decode(encode(step, look));
-    expect(ids).toEqual({ reference: "torus", template: "cube" });
+    expect(ids).toEqual({ reference: "torus", template: "cube", pins: [] });
     expect(settings).toEqual(step.settings);
     expect(read).toEqual(look);
   });

@@ -30,9 +30,21 @@ export const space = page("space", {
     link: "Copy link",
     copied: "Copied",
     address: "See address bar",
-    linkHelp: "A link that brings back surfaces of the gallery, settings, view and camera",
+    linkHelp: "A link that brings back surfaces of the gallery, pins, settings, view and camera",
     camera: "Reset view",
     dismiss: "Dismiss",
+  },
+
+  pins: {
+    set: "Set pins",
+    help: "Points of the reference tied to points of the template",
+    deleteAll: "Delete all pins",
+    name: (number: number, side: Side) => `Pin ${number} on the ${side}`,
+    guide:
+      "Press a point of either surface, then its partner on the other one. By keys: turn the point to the cross in the middle, then Enter.",
+    begun: (number: number, side: Side) =>
+      `Pin ${number} begins on the ${side}: now press its partner on the ${side === "reference" ? "template" : "reference"}, or Escape.`,
+    keys: "Pins are dragged along their surface, or moved by arrow keys; Delete takes one away.",
   },
 
   view: "View",
@@ -100,6 +112,7 @@ export const space = page("space", {
     "cover-max": "Target missed by",
     measure: "Area over the target's",
     "area-deviation": "Area ratio varies by",
+    "pins-off": "A pin is off by",
     "least-determinant": "Least volume ratio",
   },
   after: "Match after the grid",

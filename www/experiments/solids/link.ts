@@ -13,5 +13,5 @@ export function linkToSpace({ reference, template, settings }: SolidExperiment["
     const value = settings[field.name];
     if (value !== undefined) chosen = withSetting(chosen, field, value as number | string | boolean);
   }
-  return encode({ reference: { id: reference }, template: { id: template }, settings: chosen }, FIRST_LOOK);
+  return encode({ reference: { id: reference }, template: { id: template }, pins: [], settings: chosen }, FIRST_LOOK);
 }

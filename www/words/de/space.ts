@@ -36,9 +36,21 @@ export const space: Book["space"] = {
     link: "Link kopieren",
     copied: "Kopiert",
     address: "Siehe Adresszeile",
-    linkHelp: "Ein Link, der Flächen der Galerie, Einstellungen, Ansicht und Blickpunkt zurückbringt",
+    linkHelp: "Ein Link, der Flächen der Galerie, Nadeln, Einstellungen, Ansicht und Blickpunkt zurückbringt",
     camera: "Blick zurücksetzen",
     dismiss: "Verstanden",
+  },
+
+  pins: {
+    set: "Nadeln setzen",
+    help: "Punkte der Referenz, an Punkte des Ziels gebunden",
+    deleteAll: "Alle Nadeln löschen",
+    name: (number, side) => `Nadel ${number} auf der Fläche ${DES[side]}`,
+    guide:
+      "Drücken Sie auf einen Punkt einer der Flächen, dann auf seinen Partner auf der anderen. Mit Tasten: Drehen Sie den Punkt zum Kreuz in der Mitte, dann Eingabe.",
+    begun: (number, side) =>
+      `Nadel ${number} beginnt auf der Fläche ${DES[side]}: Drücken Sie nun auf ihren Partner auf der Fläche ${DES[side === "reference" ? "template" : "reference"]}, oder Escape.`,
+    keys: "Nadeln werden auf ihrer Fläche gezogen oder mit den Pfeiltasten bewegt; Entf löscht eine.",
   },
 
   view: "Ansicht",
@@ -105,6 +117,7 @@ export const space: Book["space"] = {
     "cover-max": "Ziel verfehlt um",
     measure: "Inhalt durch den des Ziels",
     "area-deviation": "Flächenverhältnis streut um",
+    "pins-off": "Eine Nadel endet daneben um",
     "least-determinant": "Kleinstes Volumenverhältnis",
   },
   after: "Abgleich nach dem Gitter",

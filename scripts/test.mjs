@@ -31,7 +31,8 @@ const STEPS = {
         () => succeeds("cargo", ["fmt", "--check"]),
         () => succeeds("cargo", ["clippy", "--locked", "--all-targets", "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...GPU, "--lib", "--test", "gpu", "--", "-D", "warnings"]),
-        () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...BROWSER_TESTS, "--", "-D", "warnings"]),
+        () =>
+          succeeds("cargo", ["clippy", "--locked", ...WASM, ...GPU, "--lib", ...BROWSER_TESTS, "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...SURFACES, "--", "-D", "warnings"]),
         () => succeeds("cargo", ["doc", "--locked", "--no-deps", "--lib"], { RUSTDOCFLAGS: "-D warnings" }),
         () => succeeds(...program("@biomejs/biome/bin/biome", ["check", "--error-on-warnings"])),
@@ -46,7 +47,7 @@ const STEPS = {
     check: async () => {
       const env = await driverEnvironment();
       await ensureBindgen();
-      return cargoTests(await run("cargo", ["test", "--locked", ...WASM, ...BROWSER_TESTS], { env }));
+      return cargoTests(await run("cargo", ["test", "--locked", ...WASM, ...GPU, ...BROWSER_TESTS], { env }));
     },
   },
   types: {

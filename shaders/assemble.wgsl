@@ -16,7 +16,7 @@ fn volume_of_cell(weight: f32, rule: u32, edges: ptr<function, Edges>, corners: 
     for (var point = 0u; point < points_of(rule); point++) {
         let place = place_of(rule, point);
         let share = weight * weight_of(rule, point);
-        var stress: Mat;
+        var stress = Mat();
         energy += share * volume(share, derivative(edges, place), &stress);
         if ORDER >= GRADIENT {
             add_stress(stress, place, corners);
@@ -53,7 +53,7 @@ fn volume_cells(
         let bound = least_determinant(&edges);
         least = vec2f(bound, bound / max(determinant_scale(&edges), 1e-30));
         let weight = volume_weights[cell];
-        var corners: Corners;
+        var corners = Corners();
         energy = volume_of_cell(weight * (1.0 - level.vertex_share), level.rule, &edges, &corners);
         if level.vertex_share > 0.0 {
             energy += volume_of_cell(weight * level.vertex_share, VERTICES, &edges, &corners);
@@ -94,21 +94,21 @@ fn shell_cells(
     @builtin(local_invocation_index) lane: u32,
     @builtin(workgroup_id) group: vec3u,
 ) {
-    var densities: vec3f;
+    var densities = vec3f();
     if id.x < slab.band_count {
         let cell = band[id.x];
         let node = lowest_node(cell);
         var edges = read_edges(node);
-        var corners: Corners;
+        var corners = Corners();
         for (var at = 0u; at < points_of(level.rule); at++) {
-            var point: Point;
+            var point = Point();
             let frame = shell_point(id.x, cell, node, &edges, at, &point);
-            var response: Response;
+            var response = Response();
             let weight = samples[(id.x * points_of(level.rule) + at) * SAMPLE_NUMBERS];
             densities += shell(weight, &point, &response);
             if ORDER >= GRADIENT {
                 let place = place_of(level.rule, at);
-                var stress: Mat;
+                var stress = Mat();
                 for (var i = 0u; i < D; i++) {
                     stress += outer(frame[i], response.gradient[i]);
                 }
@@ -163,7 +163,7 @@ fn gather_gradient(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let node = slab.first_layer * layer_nodes + id.x;
-    var sum: Vec;
+    var sum = Vec();
     for (var corner = 0u; corner < CORNERS; corner++) {
         let number = cell_at(node, corner);
         if number != SLAB_HAS_NONE {

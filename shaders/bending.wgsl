@@ -11,7 +11,7 @@ fn bending(weight: f32, point: ptr<function, Point>, response: ptr<function, Res
             let count = select(2.0, 1.0, i == j);
             value += count * residual * residual;
             if ORDER >= GRADIENT {
-                var direction: Direction;
+                var direction = Direction();
                 direction[i] += bent;
                 direction[j] += (*point).curvature * v;
                 for (var k = 0u; k < D; k++) {
@@ -28,7 +28,7 @@ fn bending(weight: f32, point: ptr<function, Point>, response: ptr<function, Res
 fn mean_curvature(weight: f32, point: ptr<function, Point>, response: ptr<function, Response>) -> f32 {
     let residual = trace((*point).curvature) - (*point).reference_trace;
     if ORDER >= GRADIENT {
-        var direction: Direction;
+        var direction = Direction();
         for (var k = 0u; k < D; k++) {
             direction[POSITION][k] = trace((*point).curvature_slope[k]);
         }

@@ -59,7 +59,7 @@ fn shape_slope(place: Vec, corner: u32, axis: u32) -> f32 {
 }
 
 fn shape_gradient(place: Vec, corner: u32) -> Vec {
-    var slopes: Vec;
+    var slopes = Vec();
     for (var axis = 0u; axis < D; axis++) {
         slopes[axis] = shape_slope(place, corner, axis);
     }
@@ -67,7 +67,7 @@ fn shape_gradient(place: Vec, corner: u32) -> Vec {
 }
 
 fn read_edges(base: u32) -> Edges {
-    var edges: Edges;
+    var edges = Edges();
     for (var axis = 0u; axis < D; axis++) {
         for (var edge = 0u; edge < EDGES; edge++) {
             let first = (base + corner_offset(lower_end(axis, edge))) * NODE_NUMBERS + D + axis * D;
@@ -88,9 +88,9 @@ fn whole_edge(edges: ptr<function, Edges>, axis: u32, edge: u32) -> Vec {
 
 // Dφ at a place, by columns.
 fn derivative(edges: ptr<function, Edges>, place: Vec) -> Mat {
-    var columns: Mat;
+    var columns = Mat();
     for (var axis = 0u; axis < D; axis++) {
-        var column: Vec;
+        var column = Vec();
         column[axis] = 1.0;
         for (var edge = 0u; edge < EDGES; edge++) {
             column += shape_across(place, lower_end(axis, edge), axis) * (*edges)[axis * EDGES + edge];

@@ -70,7 +70,7 @@ fn dilation(x: f32) -> vec3f {
 
 // Weighted densities: membrane, bending, mismatch with its H¹ part.
 fn shell(weight: f32, point: ptr<function, Point>, response: ptr<function, Response>) -> vec3f {
-    var densities: vec3f;
+    var densities = vec3f();
     let stretching = weight * level.membrane;
     if level.membrane_model == PROJECTED {
         densities.x = stretching * projected(stretching, point, response);

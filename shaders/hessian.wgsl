@@ -82,11 +82,11 @@ fn shell_pairs(@builtin(global_invocation_id) id: vec3u) {
     let node = lowest_node(cell);
     var edges = read_edges(node);
     for (var at = 0u; at < points_of(level.rule); at++) {
-        var point: Point;
+        var point = Point();
         var frame = shell_point(id.x, cell, node, &edges, at, &point);
-        var response: Response;
+        var response = Response();
         shell(samples[(id.x * points_of(level.rule) + at) * SAMPLE_NUMBERS], &point, &response);
-        var values: array<array<f32, SLOTS>, CORNERS>;
+        var values = array<array<f32, SLOTS>, CORNERS>();
         let place = place_of(level.rule, at);
         for (var corner = 0u; corner < CORNERS; corner++) {
             for (var i = 0u; i < D; i++) {
@@ -96,7 +96,7 @@ fn shell_pairs(@builtin(global_invocation_id) id: vec3u) {
         }
         for (var b = 0u; b < CORNERS; b++) {
             // moved[p] = Σ_q s_bq H_pq
-            var moved: array<Mat, SLOTS>;
+            var moved = array<Mat, SLOTS>();
             for (var p = 0u; p < SLOTS; p++) {
                 moved[p] += values[b][p] * response.hessian[p * SLOTS + p];
                 for (var q = p + 1u; q < SLOTS; q++) {
@@ -106,7 +106,7 @@ fn shell_pairs(@builtin(global_invocation_id) id: vec3u) {
                 }
             }
             for (var a = 0u; a <= b; a++) {
-                var block: Mat;
+                var block = Mat();
                 for (var p = 0u; p < SLOTS; p++) {
                     block += values[a][p] * moved[p];
                 }
@@ -125,7 +125,7 @@ fn gather_blocks(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let node = slab.first_layer * layer_nodes + number;
-    var sum: Mat;
+    var sum = Mat();
     for (var corner = 0u; corner < CORNERS; corner++) {
         var other = 0u;
         var rest = CENTRE + id.x % HALF;

@@ -9,7 +9,7 @@ struct Strain {
 // ∂ det G/∂v_i = 2 Σ_j cof_ij v_j.
 fn forces_of(strain: Strain, v: Mat) -> Mat {
     var cof = strain.cof;
-    var forces: Mat;
+    var forces = Mat();
     for (var i = 0u; i < NORMAL; i++) {
         for (var j = 0u; j < NORMAL; j++) {
             forces[i] += 2.0 * cof[i][j] * v[j];
@@ -19,7 +19,7 @@ fn forces_of(strain: Strain, v: Mat) -> Mat {
 }
 
 fn tangents_of(point: ptr<function, Point>) -> Mat {
-    var v: Mat;
+    var v = Mat();
     for (var i = 0u; i < NORMAL; i++) {
         v[i] = (*point).slots[i];
     }
@@ -37,7 +37,7 @@ fn membrane(weight: f32, point: ptr<function, Point>, response: ptr<function, Re
         }
     }
     if ORDER >= HESSIAN {
-        var second: array<Mat, 3>;
+        var second = array<Mat, 3>();
         membrane_hessian(v, strain, &second);
         for (var i = 0u; i < NORMAL; i++) {
             for (var j = i; j < NORMAL; j++) {

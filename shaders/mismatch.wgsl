@@ -2,7 +2,7 @@
 fn mismatch(weight: f32, point: ptr<function, Point>, response: ptr<function, Response>) -> f32 {
     let residual = (*point).distance - (*point).reference_distance;
     if ORDER >= GRADIENT {
-        var direction: Direction;
+        var direction = Direction();
         direction[POSITION] = (*point).gradient;
         add_square(weight, residual, &direction, response);
     }

@@ -81,15 +81,15 @@ fn volume_hessian(weight: f32, f: Mat, result: ptr<function, array<Mat, 3>>) {
 
 // The volume's hessian of a cell, at the four Gauss points; weight in units of 1/h².
 fn write_volume_pairs(number: u32, weight: f32, edges: ptr<function, Edges>) {
-    var hessians: array<array<Mat, 3>, 4>;
+    var hessians = array<array<Mat, 3>, 4>();
     for (var point = 0u; point < 4u; point++) {
-        var hessian: array<Mat, 3>;
+        var hessian = array<Mat, 3>();
         volume_hessian(0.25 * weight, derivative(edges, place_of(GAUSS_2, point)), &hessian);
         hessians[point] = hessian;
     }
     for (var b = 0u; b < CORNERS; b++) {
         for (var a = 0u; a <= b; a++) {
-            var block: Mat;
+            var block = Mat();
             for (var point = 0u; point < 4u; point++) {
                 let place = place_of(GAUSS_2, point);
                 let s = shape_gradient(place, a);

@@ -10,8 +10,8 @@ fn projected(weight: f32, point: ptr<function, Point>, response: ptr<function, R
     let gamma = dot(g, g);
     let rest = 1.0 / (1.0 + gamma * gamma);
     let c = TWICE_ALONG * rest;
-    var p: Vec;
-    var w: Mat;
+    var p = Vec();
+    var w = Mat();
     for (var i = 0u; i < NORMAL; i++) {
         p[i] = dot(g, v[i]);
         w[i] = v[i] - c * p[i] * g;
@@ -27,7 +27,7 @@ fn projected(weight: f32, point: ptr<function, Point>, response: ptr<function, R
         let slope = -b * inverse * inverse;
         // c depends on g through γ = |g|².
         let c_slope = -2.0 * gamma * rest * c;
-        var by_g: Vec;
+        var by_g = Vec();
         for (var i = 0u; i < NORMAL; i++) {
             let force = squeezing[i];
             let across = dot(force, g);
@@ -58,13 +58,13 @@ fn projected_hessian(
     let a = (level.lambda - 2.0 * level.mu) / 8.0;
     let q = weight * (2.0 * c - c * c * dot(g, g));
     var cof = along.cof;
-    var by_position: Mat;
+    var by_position = Mat();
     for (var i = 0u; i < NORMAL; i++) {
         for (var k = 0u; k < D; k++) {
             by_position[i][k] = dot((*point).normal_slope[k], v[i]);
         }
     }
-    var second: array<Mat, 3>;
+    var second = array<Mat, 3>();
     membrane_hessian(w, along, &second);
     for (var i = 0u; i < NORMAL; i++) {
         for (var j = 0u; j < NORMAL; j++) {

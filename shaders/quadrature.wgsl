@@ -27,7 +27,7 @@ fn weight_on_line(rule: u32, number: u32) -> f32 {
 
 fn place_of(rule: u32, point: u32) -> Vec {
     let line = max(rule, 2u);
-    var place: Vec;
+    var place = Vec();
     var rest = point;
     for (var axis = 0u; axis < D; axis++) {
         place[axis] = place_on_line(rule, rest % line);

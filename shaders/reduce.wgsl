@@ -27,7 +27,7 @@ fn reduce(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,
 ) {
-    var energies: vec4f;
+    var energies = vec4f();
     var least = vec2f(LARGEST);
     for (var row = id.x; row < arrayLength(&rows); row += groups.x * GROUP) {
         energies += rows[row].energies;

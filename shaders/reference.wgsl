@@ -11,7 +11,7 @@ fn read_reference(first: u32, point: ptr<function, Point>) -> Mat {
     (*point).reference_trace = samples[first + 3u];
     (*point).steepness = samples[first + 4u];
     var next = first + 5u;
-    var frame: Mat;
+    var frame = Mat();
     for (var i = 0u; i < NORMAL; i++) {
         for (var k = 0u; k < D; k++) {
             frame[i][k] = samples[next];

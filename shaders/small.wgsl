@@ -6,7 +6,7 @@ const LARGEST = 3e38;
 
 // m[i] = a_i b.
 fn outer(a: Vec, b: Vec) -> Mat {
-    var m: Mat;
+    var m = Mat();
     for (var i = 0u; i < D; i++) {
         m[i] = a[i] * b;
     }

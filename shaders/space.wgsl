@@ -28,7 +28,7 @@ fn strain_of(v: Mat) -> Strain {
 // src/assemble/cpu/certificate.rs.
 fn least_determinant(edges: ptr<function, Edges>) -> f32 {
     // By α₀, k′ and j″; the mean of two where α₀ = 1.
-    var crosses: array<Vec, 12>;
+    var crosses = array<Vec, 12>();
     for (var k = 0u; k < 2u; k++) {
         for (var j = 0u; j < 2u; j++) {
             let low = cross(whole_edge(edges, 1u, 2u * k), whole_edge(edges, 2u, 2u * j));
@@ -40,7 +40,7 @@ fn least_determinant(edges: ptr<function, Edges>) -> f32 {
             crosses[8u + 2u * k + j] = high;
         }
     }
-    var coefficients: array<f32, 27>;
+    var coefficients = array<f32, 27>();
     for (var first = 0u; first < 3u; first++) {
         for (var along = 0u; along < 4u; along++) {
             let edge = whole_edge(edges, 0u, along);
@@ -112,7 +112,7 @@ fn shortened_twist(f: Mat) -> f32 {
 // The volume's hessian of a cell, weight in units of 1/h². Twin of src/assemble/cpu/spatial.rs: μ 1 and t k′ ∂²J exactly
 // for the coefficients at the middle of the cell, k″ ∂J ⊗ ∂J at the eight Gauss points.
 fn write_volume_pairs(number: u32, weight: f32, edges: ptr<function, Edges>) {
-    var roots: array<Mat, 8>;
+    var roots = array<Mat, 8>();
     for (var point = 0u; point < 8u; point++) {
         let f = derivative(edges, place_of(GAUSS_2, point));
         let cof = cofactor(f);
@@ -125,7 +125,7 @@ fn write_volume_pairs(number: u32, weight: f32, edges: ptr<function, Edges>) {
     let twist = weight * shortened_twist(middle);
     for (var b = 0u; b < CORNERS; b++) {
         for (var a = 0u; a <= b; a++) {
-            var block: Mat;
+            var block = Mat();
             for (var point = 0u; point < 8u; point++) {
                 let place = place_of(GAUSS_2, point);
                 block += outer(roots[point] * shape_gradient(place, a), roots[point] * shape_gradient(place, b));

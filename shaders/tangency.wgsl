@@ -9,7 +9,7 @@ fn tangency(weight: f32, point: ptr<function, Point>, response: ptr<function, Re
         }
         value += residual * residual;
         if ORDER >= GRADIENT {
-            var direction: Direction;
+            var direction = Direction();
             direction[i] = (*point).normal;
             for (var k = 0u; k < D; k++) {
                 direction[POSITION][k] = dot((*point).normal_slope[k], column);

@@ -7,8 +7,8 @@ const TEMPLATE_NUMBERS = 1u + D + D * (D + 1u) / 2u;
 // Beyond the box the distance goes on as the boundary cell's polynomial, while the fitted derivatives keep their values
 // at the nearest point of the box.
 fn sample_template(cell: u32, moved: Vec, point: ptr<function, Point>) {
-    var local: Vec;
-    var inside: Vec;
+    var local = Vec();
+    var inside = Vec();
     var base = 0u;
     var rest = cell;
     for (var axis = 0u; axis < D; axis++) {
@@ -31,8 +31,8 @@ fn sample_template(cell: u32, moved: Vec, point: ptr<function, Point>) {
         let first = (base + corner_offset(corner)) * TEMPLATE_NUMBERS;
         let distance = template_jets[first];
         (*point).distance += shape(local, corner) * distance;
-        var normal: Vec;
-        var curvature: Mat;
+        var normal = Vec();
+        var curvature = Mat();
         var next = first + 1u + D;
         for (var a = 0u; a < D; a++) {
             normal[a] = template_jets[first + 1u + a];

@@ -53,6 +53,16 @@ mod tests {
         assert_eq!(entries, expected);
     }
 
+    /// Within a loop, Chromium's compiler leaves a variable that is given none as the iteration before left it.
+    #[test]
+    fn every_local_variable_is_given_a_value() {
+        for text in [source::<2>(), source::<3>()] {
+            let locals = text.lines().map(str::trim_start).filter(|line| line.starts_with("var "));
+            let bare: Vec<&str> = locals.filter(|line| !line.contains('=')).collect();
+            assert!(bare.is_empty(), "{bare:?}");
+        }
+    }
+
     #[test]
     fn the_shaders_are_valid_in_both_dimensions() {
         is_valid::<2>();

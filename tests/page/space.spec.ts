@@ -204,6 +204,7 @@ test("pins are set by presses and by keys, moved, deleted and undone, hold in th
   expect(Math.hypot(...[6, 7, 8].map((k) => moved[k] - 0.5))).toBeCloseTo(0.24, 2);
   await page.keyboard.press("Delete");
   await expect(pins).toHaveCount(2);
+  await expect.poll(places).toHaveLength(6);
 
   const first = page.getByRole("button", { name: "Pin 1 on the template" });
   const box = await first.boundingBox();

@@ -12,7 +12,7 @@ import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setu
 import { checkSize } from "./size.mjs";
 import { buildSolidWasm, buildWasm } from "./wasm.mjs";
 
-/** @typedef {{ passed: number, failed: number, skipped?: number }} Count */
+/** @typedef {{ passed: number, failed: number, skipped?: number, retried?: number }} Count */
 
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const SURFACES = ["--features", "surfaces"];
@@ -111,7 +111,8 @@ const STEPS = {
       };
       const { code } = await run(...program("@playwright/test/cli.js", ["test", "--reporter=list,json"]), { env });
       const stats = read(file)?.stats;
-      return reconcile(code, { passed: stats?.expected ?? 0, failed: (stats?.unexpected ?? 0) + (stats?.flaky ?? 0) });
+      const retried = stats?.flaky ?? 0;
+      return reconcile(code, { passed: (stats?.expected ?? 0) + retried, failed: stats?.unexpected ?? 0, retried });
     },
   },
   browsers: {
@@ -146,7 +147,8 @@ await main(async () => {
     // A step that ran nothing has shown nothing, unless it has said why.
     if (count.passed + count.failed === 0 && !count.skipped) count.failed = 1;
     const skipped = count.skipped ? `, ${count.skipped} skipped` : "";
-    console.log(`${name}: ${count.passed} passed, ${count.failed} failed${skipped}`);
+    const retried = count.retried ? `, ${count.retried} of them at the second attempt` : "";
+    console.log(`${name}: ${count.passed} passed${retried}, ${count.failed} failed${skipped}`);
     sum.passed += count.passed;
     sum.failed += count.failed;
     if (count.failed > 0) {

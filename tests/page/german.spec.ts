@@ -192,6 +192,8 @@ test("surfaces change their language as they are, and the curves behind them wit
   test.slow();
   await page.goto("./#v=2&preset=fish&match=later");
   await button(page, "Surfaces").click();
+  // Until they have come the settings are the curves'.
+  await expect(page.getByLabel("Surface of the template")).toBeVisible();
   await page.locator("details.settings > summary").click();
   await page.getByLabel("Finest grid").selectOption("17³");
   await page.getByLabel("Surface of the template").selectOption("Rounded cube");

@@ -4,6 +4,7 @@
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { bundleElement } from "./element.mjs";
 import { bundledIn, crates, packages, STANDARD_LIBRARY, textOf } from "./lib/licences.mjs";
 import { main, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
@@ -44,6 +45,9 @@ export async function assemble() {
     writeFileSync(types, `/// <reference lib="esnext.disposable" />\n${readFileSync(types, "utf8")}`);
     writeFileSync(join(OUT, to, "node.js"), NODE);
   }
+  await bundleElement(join(OUT, "element"));
+  const types = readFileSync(join(root, "www", "element", "thin-shell-match.d.ts"), "utf8");
+  writeFileSync(join(OUT, "element", "thin-shell-match.d.ts"), types.replace("../wasm/", "../"));
   await bundleCommand();
   writeFileSync(join(OUT, "licences.txt"), textOf([...packages(CARRIED), ...crates(), STANDARD_LIBRARY]));
 }

@@ -16,6 +16,7 @@ import {
 import { createServer } from "node:http";
 import { dirname, extname, join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
 import { chromiumFlags, ensureChromium } from "./lib/chromium.mjs";
 import { freePort } from "./lib/drivers.mjs";
 import { heading, main, Obstacle, root } from "./lib/process.mjs";
@@ -23,6 +24,8 @@ import { readland } from "./lib/readland.mjs";
 
 const TRIED = join(root, "target", "tried");
 const PATIENCE_MILLIS = 120_000;
+/** By how much a documented size may be off before it has to be written anew. */
+const ELEMENT_SPREAD = 0.05;
 
 /** @typedef {{ folder: string, open: (address: string) => Promise<string> }} Place */
 
@@ -116,6 +119,22 @@ const CHECKS = [
       await serving(folder, async (address) => matched(await open(`${address}worker/`)));
     },
   ],
+  ["the element matches two polygons with Vite", async (place) => withVite(place, example("element.js"), fits)],
+  [
+    "the element is as large as docs/element.md says",
+    async ({ folder }) => {
+      const bytes = readFileSync(join(folder, "node_modules", "thinshell", "lib", "element", "thin-shell-match.js"));
+      const said = /\((\d+) kB, (\d+) kB compressed\)/.exec(read(root, "docs/element.md")) ?? [];
+      for (const [i, { length }] of [bytes, gzipSync(bytes)].entries()) {
+        const kilobytes = length / 1000;
+        const off = Math.abs(kilobytes - Number(said[i + 1]));
+        expect(
+          off < ELEMENT_SPREAD * kilobytes,
+          `it has ${kilobytes.toFixed(0)} kB, and is said to have ${said[i + 1]}`,
+        );
+      }
+    },
+  ],
   ["two polygons are matched with Vite", async (place) => withVite(place, example("main.js"), fits)],
   [
     "two meshes are matched with Vite",
@@ -186,6 +205,7 @@ function read(folder, name) {
 const TYPED = `import init, { Registration, type Settings, type Shape, type Status } from "thinshell";
 import { SETTINGS } from "thinshell/settings";
 import * as solid from "thinshell/solid";
+import widget, { type Report, ThinShellMatch } from "thinshell/element";
 const settings: Partial<Settings> = { finest: 5 };
 const shape: Shape = { kind: "curves", loops: [] };
 export async function once(): Promise<Status> {
@@ -193,6 +213,11 @@ export async function once(): Promise<Status> {
   return (await Registration.create(shape, shape, settings)).step(1);
 }
 export const vertices = (made: solid.Registration): Float32Array => made.surfaces().matched.positions;
+export const element: ThinShellMatch = document.createElement("thin-shell-match");
+element.settings = settings;
+element.addEventListener("match", ({ detail }) => console.log(detail.verdict satisfies Report["verdict"]));
+element.addEventListener("click", ({ clientX }) => console.log(clientX));
+export const render: (given: never) => () => void = widget.render;
 // @ts-expect-error: there is no such setting
 export const wrong: Partial<Settings> = { finesse: 5 };
 export default SETTINGS;

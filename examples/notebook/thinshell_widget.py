@@ -20,12 +20,18 @@ class ThinShellMatch(anywidget.AnyWidget):
     #: [x, y, u, v]: a point of the reference and its partner.
     pins = traitlets.List().tag(sync=True)
     settings = traitlets.Dict().tag(sync=True)
-    view = traitlets.Unicode("grid").tag(sync=True)
-    morph = traitlets.Float(1.0).tag(sync=True)
+    #: Without them as the state says, or the grid and the whole way.
+    view = traitlets.Unicode("").tag(sync=True)
+    morph = traitlets.Float(None, allow_none=True).tag(sync=True)
     #: Where to ask for phi.
     points = traitlets.List().tag(sync=True)
 
-    #: The numbers of the match, empty before; phi at `points`; what is wrong.
+    #: The numbers of the match of what is given now, empty before; phi at `points`; what is wrong.
     report = traitlets.Dict().tag(sync=True)
     mapped = traitlets.List().tag(sync=True)
     problem = traitlets.Unicode("").tag(sync=True)
+
+    @traitlets.observe("state", "reference", "template", "pins", "settings")
+    def _forget(self, _):
+        """What has been found was of what was given before."""
+        self.report, self.mapped, self.problem = {}, [], ""

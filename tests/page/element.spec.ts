@@ -2,7 +2,7 @@
 
 import { cpSync } from "node:fs";
 import { AxeBuilder } from "@axe-core/playwright";
-import { expect, test } from "@playwright/test";
+import { expect, type Page, test } from "@playwright/test";
 import { bundleElement } from "../../scripts/element.mjs";
 import { watch } from "./handles";
 import { type Server, serving } from "./server";
@@ -100,4 +100,89 @@ test("as an anywidget it takes shapes in, and gives the report and φ at points 
   await page.getByRole("button", { name: "A template that is none" }).click();
   await expect(model).toContainText("each loop of the template must be at least three points");
   expect(seen.errors).toEqual([]);
+});
+
+/** A page with nothing but the file, and what the script puts there. */
+async function bare(page: Page, html: string): Promise<void> {
+  await page.route("**/bare.html", (route) =>
+    route.fulfill({ contentType: "text/html", body: `<!doctype html><link rel="icon" href="data:,">${html}` }),
+  );
+  await page.goto(`${server.address}bare.html`);
+}
+
+const EASY = "v=2&preset=ellipse&finest=5";
+
+test("each attribute that is wrong is said, and no more once it is right", async ({ page }) => {
+  const seen = watch(page);
+  await bare(
+    page,
+    `<script type="module" src="./thin-shell-match.js"></script>
+     <thin-shell-match state="${EASY}" view="upside-down" morph="2" controls="erase"></thin-shell-match>`,
+  );
+  const element = page.locator("thin-shell-match");
+  const said = element.getByRole("status");
+  await expect(said).toContainText("There is no view “upside-down”; there are grid,");
+  await element.evaluate((node) => node.setAttribute("view", "grid"));
+  await expect(said).toHaveText("Morph must be a number from 0 to 1.");
+  await element.evaluate((node) => node.removeAttribute("morph"));
+  await expect(said).toHaveText("There is no control “erase”; there are view, morph, numbers.");
+  await expect(element.getByLabel("View")).toHaveCount(0);
+  await element.evaluate((node) => node.setAttribute("controls", "view numbers"));
+  await expect(element.getByLabel("View")).toHaveValue("grid");
+  await expect(said).toContainText("Fits", { timeout: 45_000 });
+  await element.evaluate((node) => node.setAttribute("state", "space=1&reference=sphere"));
+  await expect(said).toHaveText("It is no link of this page.");
+  expect(seen.errors).toEqual([]);
+});
+
+test("what was set before the module came counts, and matches are told of after new controls and a new place", async ({
+  page,
+}) => {
+  await bare(
+    page,
+    `<main><thin-shell-match></thin-shell-match></main><script>
+      const element = document.querySelector("thin-shell-match");
+      const circle = (a, b) => [Array.from({ length: 60 }, (_, i) => [0.5 + a * Math.cos(i / 9.55), 0.5 + b * Math.sin(i / 9.55)])];
+      Object.assign(element, { reference: circle(0.2, 0.2), template: circle(0.3, 0.15), settings: { finest: 5 }, view: "stretch" });
+      window.matches = 0;
+      element.addEventListener("match", () => { window.matches += 1; });
+    </script><script type="module" src="./thin-shell-match.js"></script>`,
+  );
+  const element = page.locator("thin-shell-match");
+  const matches = () => page.evaluate(() => (window as unknown as { matches: number }).matches);
+  await expect.poll(matches, { timeout: 45_000 }).toBe(1);
+  await expect(element.getByLabel("View")).toHaveValue("stretch");
+  await element.evaluate((node) => {
+    node.setAttribute("controls", "numbers");
+    Object.assign(node, { settings: { finest: 5, bending: 0 } });
+  });
+  await expect.poll(matches, { timeout: 45_000 }).toBe(2);
+  // Taken out while it is at work, and put in elsewhere.
+  await element.evaluate((node) => {
+    Object.assign(node, { settings: { finest: 5 } });
+    node.remove();
+    document.body.append(node);
+  });
+  await expect.poll(matches, { timeout: 45_000 }).toBe(3);
+  await expect(element.getByRole("status")).toContainText("Fits");
+  const refused = await element.evaluate((node) => {
+    const given = { reference: null, template: "circle", pins: [[1, 2]], settings: 3, morph: Number.NaN, view: "" };
+    return Object.entries(given).map(([name, value]) => {
+      try {
+        Object.assign(node, { [name]: value });
+        return `${name} was taken`;
+      } catch (error) {
+        return (error as Error).message;
+      }
+    });
+  });
+  expect(refused).toEqual([
+    "the reference must be a list of loops",
+    "the template must be a list of loops",
+    "pins must be a list of [x, y, u, v]: a point of the reference and one of the template",
+    "settings must be an object, like { bending: 0 }",
+    "morph must be a number from 0 to 1",
+    expect.stringContaining("there is no view “”"),
+  ]);
+  expect(await matches()).toBe(3);
 });

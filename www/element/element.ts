@@ -4,24 +4,20 @@
  *     <thin-shell-match state="v=2&preset=letters" controls="view morph numbers"></thin-shell-match>
  */
 
-import { effect } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { numbersOf } from "../embed/report";
-import { bandwidth, type Chosen } from "../settings";
+import { sentence } from "../run";
+import type { Chosen } from "../settings";
 import base from "../style/base.css?inline";
-import { Surface } from "../view/canvas";
-import { framing, type Square } from "../view/framing";
-import { VIEWS } from "../view/names";
-import { pattern } from "../view/picture";
-import { drawMissed, drawResult, type ResultScene } from "../view/result";
-import { missedBy } from "../view/unreached";
-import { drawView, limitOf } from "../view/views";
-import { en } from "../words/en";
-import { resultState } from "../words/said";
 import style from "./element.css?inline";
-import { type GivenLoop, type GivenPin, Matching } from "./matching";
+import { type GivenLoop, type GivenPin, type GivenPoint, Matching } from "./matching";
+import { morphSlider, picture, viewPicker, words } from "./parts";
+import type * as Declared from "./thin-shell-match";
 
 export const TAG = "thin-shell-match";
 const CONTROLS = ["view", "morph", "numbers"];
+/** What may have been set before the module had come, and then stands in the way of the class's own. */
+const PROPERTIES = ["reference", "template", "pins", "settings", "view", "morph"] as const;
 
 const sheet = new CSSStyleSheet();
 // What is of the page's root there is of the element here.
@@ -32,6 +28,11 @@ export class ThinShellMatch extends HTMLElement {
 
   readonly #matching = new Matching();
   readonly #root: ShadowRoot;
+  /** What is wrong with what has been given, by its name: until that is given anew. */
+  readonly #wrong = signal<Readonly<Record<string, string>>>({});
+  readonly #problem = computed(() => Object.values(this.#wrong.value)[0] ?? this.#matching.problem.value);
+  /** What ends with the parts that are shown, and what with the element's stay in the page. */
+  #parts: (() => void)[] = [];
   #stops: (() => void)[] = [];
   #waiting = false;
 
@@ -42,39 +43,47 @@ export class ThinShellMatch extends HTMLElement {
   }
 
   connectedCallback(): void {
+    for (const name of PROPERTIES) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      this.#try(name, () => Reflect.set(this, name, value));
+    }
     this.#build();
-    this.#stops.push(this.#matching.whenFinal(() => this.#tell("match", this.report)));
-    this.#stops.push(
+    this.#stops = [
+      this.#matching.whenFinal(() => this.#tell("match", this.report)),
       effect(() => {
-        const problem = this.#matching.problem.value;
+        const problem = this.#problem.value;
         if (problem) this.#tell("problem", problem);
       }),
-    );
+    ];
     this.#soon();
   }
 
   disconnectedCallback(): void {
-    for (const stop of this.#stops) stop();
-    this.#stops = [];
+    for (const stop of [...this.#stops.splice(0), ...this.#parts.splice(0)]) stop();
     this.#root.replaceChildren();
     this.#matching.dispose();
   }
 
   attributeChangedCallback(name: string, _: string | null, value: string | null): void {
-    this.#try(() => {
+    this.#try(name, () => {
       if (name === "state" && value !== null) {
         this.#matching.set(value);
         this.#soon();
       } else if (name === "view") this.#matching.setView(value ?? "grid");
-      else if (name === "morph") this.morph = Number(value ?? 1);
-      else if (name === "controls" && this.isConnected) this.#build();
+      else if (name === "morph") this.#matching.setMorph(value?.trim() === "" ? Number.NaN : Number(value ?? 1));
+      else if (name === "controls") {
+        if (this.isConnected) this.#build();
+        this.#wanted(true);
+      }
     });
   }
 
   /** Loops of a side: x y x y …, or lists of points. Throws a sentence where they are none. */
   set reference(loops: readonly GivenLoop[]) {
     this.#matching.setShape("reference", loops);
-    this.#soon();
+    this.#given("reference");
   }
 
   get reference(): readonly GivenLoop[] {
@@ -83,7 +92,7 @@ export class ThinShellMatch extends HTMLElement {
 
   set template(loops: readonly GivenLoop[]) {
     this.#matching.setShape("template", loops);
-    this.#soon();
+    this.#given("template");
   }
 
   get template(): readonly GivenLoop[] {
@@ -92,21 +101,39 @@ export class ThinShellMatch extends HTMLElement {
 
   set pins(pins: readonly GivenPin[]) {
     this.#matching.setPins(pins);
-    this.#soon();
+    this.#given("pins");
+  }
+
+  get pins(): readonly GivenPin[] {
+    return this.#matching.shapes.peek().pins.map(({ reference: p, template: q }) => [p.x, p.y, q.x, q.y]);
   }
 
   set settings(settings: Chosen) {
-    this.#matching.settings.value = { ...settings };
-    this.#soon();
+    this.#matching.setSettings(settings);
+    this.#given("settings");
+  }
+
+  get settings(): Chosen {
+    return this.#matching.settings.peek();
   }
 
   set view(name: string) {
     this.#matching.setView(name);
+    this.#right("view");
+  }
+
+  get view(): string {
+    return this.#matching.view.peek();
   }
 
   /** 0 shows the identity, 1 the match. */
   set morph(part: number) {
-    if (part >= 0 && part <= 1) this.#matching.morph.value = part;
+    this.#matching.setMorph(part);
+    this.#right("morph");
+  }
+
+  get morph(): number {
+    return this.#matching.morph.peek();
   }
 
   /** The numbers of the final match of what is given now; null before. */
@@ -116,12 +143,17 @@ export class ThinShellMatch extends HTMLElement {
   }
 
   get problem(): string | null {
-    return this.#matching.problem.peek();
+    return this.#problem.peek();
   }
 
   /** φ at points [x, y] of the box; null without a match. */
-  map(points: readonly (readonly [number, number])[]): [number, number][] | null {
+  map(points: readonly GivenPoint[]): [number, number][] | null {
     return this.#matching.map(points);
+  }
+
+  #given(name: string): void {
+    this.#right(name);
+    this.#soon();
   }
 
   /** Several changes of one moment are one run. */
@@ -138,110 +170,45 @@ export class ThinShellMatch extends HTMLElement {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
   }
 
-  #try(change: () => void): void {
+  #right(name: string): void {
+    const { [name]: _, ...others } = this.#wrong.peek();
+    this.#wrong.value = others;
+  }
+
+  #try(name: string, change: () => void): void {
     try {
       change();
+      this.#right(name);
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      this.#matching.problem.value = `${why.charAt(0).toUpperCase()}${why.slice(1)}.`;
+      const problem = sentence(error instanceof Error ? error.message : String(error));
+      this.#wrong.value = { ...this.#wrong.peek(), [name]: problem };
     }
   }
 
+  /** The controls that are asked for; those that there are not are a problem where that is to be said. */
+  #wanted(isStrict: boolean): readonly string[] {
+    const wanted = (this.getAttribute("controls") ?? CONTROLS.join(" ")).split(/\s+/).filter(Boolean);
+    const other = wanted.find((name) => !CONTROLS.includes(name));
+    if (isStrict && other !== undefined)
+      throw new Error(`there is no control “${other}”; there are ${CONTROLS.join(", ")}`);
+    return wanted;
+  }
+
   #build(): void {
-    for (const stop of this.#stops.splice(0)) stop();
-    const wanted = (this.getAttribute("controls") ?? CONTROLS.join(" ")).split(/\s+/);
-    const canvas = document.createElement("canvas");
-    canvas.setAttribute("role", "img");
-    const place = document.createElement("div");
-    place.className = "surface";
-    place.append(canvas);
-    this.#root.replaceChildren(place);
-    if (wanted.includes("view")) this.#root.append(this.#viewPicker());
-    if (wanted.includes("morph")) this.#root.append(this.#morphSlider());
-    this.#root.append(this.#words(wanted.includes("numbers")));
-    this.#draw(canvas);
-  }
-
-  #draw(canvas: HTMLCanvasElement): void {
-    const { shapes, settings, view, morph, match, phase } = this.#matching;
-    let square: Square | null = null;
-    const seen = () => {
-      const { reference, template } = shapes.peek();
-      square = framing([...reference, ...template], square);
-      return square;
-    };
-    const surface = new Surface(canvas, seen, (context, frame, colours) => {
-      const found = match.peek();
-      const shown = found && { ...found, level: found.status.level };
-      const width = bandwidth(settings.peek());
-      const missed = missedBy(found);
-      const scene: ResultScene = { ...shapes.peek(), match: shown, morph: morph.peek(), bandwidth: width, missed };
-      const name = view.peek();
-      if (name === "grid" || !shown) drawResult(context, frame, colours, scene);
-      else {
-        const limit = limitOf(name, shown, width) || 1;
-        drawView(name, context, frame, colours, { ...scene, match: shown, limit, picture: pattern() });
-        if (name !== "pullback") drawMissed(context, frame, colours, missed);
-      }
-    });
-    this.#stops.push(
-      effect(() => {
-        for (const value of [shapes, settings, view, morph]) value.value;
-        const status = match.value?.status ?? null;
-        canvas.setAttribute("aria-label", resultState({ phase: phase.value, status, stale: false }));
-        surface.invalidate();
-      }),
-      () => surface.dispose(),
-    );
-  }
-
-  #viewPicker(): HTMLElement {
-    const select = document.createElement("select");
-    select.setAttribute("aria-label", "View");
-    for (const view of VIEWS) select.add(new Option(en.views[view], view));
-    select.onchange = () => this.#matching.setView(select.value);
-    this.#stops.push(
-      effect(() => {
-        select.value = this.#matching.view.value;
-      }),
-    );
-    return select;
-  }
-
-  #morphSlider(): HTMLElement {
-    const slider = document.createElement("input");
-    Object.assign(slider, { type: "range", min: "0", max: "1", step: "0.01" });
-    slider.setAttribute("aria-label", "Morph");
-    slider.oninput = () => {
-      this.morph = slider.valueAsNumber;
-    };
-    this.#stops.push(
-      effect(() => {
-        slider.value = String(this.#matching.morph.value);
-        slider.disabled = this.#matching.match.value === null;
-      }),
-    );
-    return slider;
-  }
-
-  /** What is wrong is said in any case, the rest where it is wanted. */
-  #words(isWanted: boolean): HTMLElement {
-    const line = document.createElement("p");
-    line.setAttribute("role", "status");
-    this.#stops.push(
-      effect(() => {
-        const { problem, match, phase } = this.#matching;
-        const status = match.value?.status;
-        const said = status?.verdict ?? resultState({ phase: phase.value, status: status ?? null, stale: false });
-        line.textContent = problem.value ?? (isWanted ? said : "");
-        line.className = problem.value ? "problem" : "";
-      }),
-    );
-    return line;
+    for (const stop of this.#parts.splice(0)) stop();
+    const wanted = this.#wanted(false);
+    const parts = [
+      picture(this.#matching),
+      ...(wanted.includes("view") ? [viewPicker(this.#matching)] : []),
+      ...(wanted.includes("morph") ? [morphSlider(this.#matching)] : []),
+      words(this.#matching, this.#problem, wanted.includes("numbers")),
+    ];
+    this.#parts = parts.map(({ stop }) => stop);
+    this.#root.replaceChildren(...parts.map(({ element }) => element));
   }
 }
 
 /** Once a page, however often the module comes. */
 export function define(): void {
-  if (!customElements.get(TAG)) customElements.define(TAG, ThinShellMatch);
+  if (!customElements.get(TAG)) customElements.define(TAG, ThinShellMatch satisfies typeof Declared.ThinShellMatch);
 }

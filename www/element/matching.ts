@@ -6,13 +6,14 @@ import { isDone } from "../phase";
 import { Run } from "../run";
 import type { Chosen } from "../settings";
 import type { Loop } from "../shapes/geometry";
-import type { Shapes } from "../shapes/pins";
+import { isInBox, type Shapes } from "../shapes/pins";
 import { mapped } from "../view/field";
 import { VIEWS, type View } from "../view/names";
 import { engine } from "./engine";
 
 /** A closed polygon: x y x y …, or a list of points. */
-export type GivenLoop = ArrayLike<number> | readonly (readonly [number, number])[];
+export type GivenLoop = ArrayLike<number> | readonly GivenPoint[];
+export type GivenPoint = readonly [x: number, y: number];
 export type GivenPin = readonly [x: number, y: number, u: number, v: number];
 
 export class Matching {
@@ -50,16 +51,29 @@ export class Matching {
   }
 
   setShape(side: "reference" | "template", loops: readonly GivenLoop[]): void {
+    if (!Array.isArray(loops)) throw new Error(`the ${side} must be a list of loops`);
     this.shapes.value = { ...this.shapes.peek(), [side]: loops.map((loop) => loopFrom(loop, side)) };
   }
 
   setPins(pins: readonly GivenPin[]): void {
-    if (!Array.isArray(pins) || !pins.every((pin) => pin.length === 4 && [...pin].every(Number.isFinite)))
+    if (!Array.isArray(pins) || !pins.every((pin) => isNumbers(pin, 4)))
       throw new Error("pins must be a list of [x, y, u, v]: a point of the reference and one of the template");
     this.shapes.value = {
       ...this.shapes.peek(),
       pins: pins.map(([x, y, u, v]) => ({ reference: { x, y }, template: { x: u, y: v } })),
     };
+  }
+
+  /** The solver says which of them there are not. */
+  setSettings(settings: Chosen): void {
+    if (typeof settings !== "object" || settings === null)
+      throw new Error("settings must be an object, like { bending: 0 }");
+    this.settings.value = { ...settings };
+  }
+
+  setMorph(part: number): void {
+    if (!(part >= 0 && part <= 1)) throw new Error("morph must be a number from 0 to 1");
+    this.morph.value = part;
   }
 
   setView(name: string): void {
@@ -69,7 +83,12 @@ export class Matching {
   }
 
   /** φ at points of the box; null without a match. */
-  map(points: readonly (readonly [number, number])[]): [number, number][] | null {
+  map(points: readonly GivenPoint[]): [number, number][] | null {
+    if (
+      !Array.isArray(points) ||
+      !points.every((point) => isNumbers(point, 2) && isInBox(point[0]) && isInBox(point[1]))
+    )
+      throw new Error("points must be a list of points [x, y] of the box, from 0 to 1");
     const match = this.match.peek();
     if (!match) return null;
     const grid = { cells: 2 ** match.status.level, deformation: match.deformation };
@@ -88,8 +107,15 @@ export class Matching {
   }
 }
 
+function isNumbers(given: unknown, count: number): boolean {
+  const all = Array.isArray(given) || ArrayBuffer.isView(given) ? Array.from(given as ArrayLike<unknown>) : [];
+  return all.length === count && all.every(Number.isFinite);
+}
+
 function loopFrom(given: GivenLoop, side: string): Loop {
-  const numbers = Array.from(given as ArrayLike<number | readonly number[]>).flat();
+  // Of nothing, a number or a text there are no points.
+  const numbers =
+    typeof given === "object" && given ? Array.from(given as ArrayLike<number | readonly number[]>).flat() : [];
   if (numbers.length < 6 || numbers.length % 2 !== 0 || !numbers.every(Number.isFinite))
     throw new Error(`each loop of the ${side} must be at least three points, as [[x, y], …] or x y x y …`);
   return Float64Array.from(numbers);

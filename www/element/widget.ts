@@ -18,47 +18,63 @@ const GIVEN: Readonly<Record<string, (element: ThinShellMatch, value: never) => 
     if (value) element.setAttribute("state", value);
   },
   settings: (element, value: object) => {
-    if (Object.keys(value).length > 0) element.settings = value;
+    element.settings = value;
   },
   reference: (element, value: readonly GivenLoop[]) => {
-    if (value.length > 0) element.reference = value;
+    element.reference = value;
   },
   template: (element, value: readonly GivenLoop[]) => {
-    if (value.length > 0) element.template = value;
+    element.template = value;
   },
   pins: (element, value: readonly GivenPin[]) => {
-    if (value.length > 0) element.pins = value;
+    element.pins = value;
   },
   view: (element, value: string) => {
     element.view = value || "grid";
   },
-  morph: (element, value: number) => {
-    element.morph = value;
+  morph: (element, value: number | null) => {
+    element.morph = value ?? 1;
   },
 };
+
+/** Whether something has been given: what is empty from the start leaves what the state says. */
+function isGiven(value: unknown): boolean {
+  return value !== undefined && value !== null && Object.keys(Object(value)).length > 0;
+}
+
+/** The model of a MyST book has nobody behind it: it throws where it is asked to tell, or to forget. */
+function tolerant(work: () => void): void {
+  try {
+    work();
+  } catch {
+    // The picture does not depend on it.
+  }
+}
 
 export function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   define();
   const element = document.createElement(TAG) as ThinShellMatch;
   const listening = new AbortController();
-  const give = (name: string) => {
+  const attempt = (work: () => void) => {
     try {
-      GIVEN[name](element, (model.get(name) ?? "") as never);
+      work();
     } catch (error) {
       fail(error instanceof Error ? error.message : String(error));
     }
   };
+  const give = (name: string) => attempt(() => GIVEN[name](element, model.get(name) as never));
   const fail = (problem: string) => {
     model.set("problem", problem);
-    model.save_changes();
+    tolerant(() => model.save_changes());
   };
-  const answer = () => {
-    const points = (model.get("points") ?? []) as [number, number][];
-    model.set("report", element.report ?? {});
-    model.set("mapped", element.map(points) ?? []);
-    model.set("problem", "");
-    model.save_changes();
-  };
+  const answer = () =>
+    attempt(() => {
+      const mapped = element.map((model.get("points") ?? []) as [number, number][]);
+      model.set("report", element.report ?? {});
+      model.set("mapped", mapped ?? []);
+      model.set("problem", "");
+      tolerant(() => model.save_changes());
+    });
   element.addEventListener("match", answer, { signal: listening.signal });
   element.addEventListener("problem", (event) => fail(String((event as CustomEvent).detail)), {
     signal: listening.signal,
@@ -66,11 +82,14 @@ export function render({ model, el }: { model: Model; el: HTMLElement }): () => 
   const heard = Object.keys(GIVEN).map((name) => [`change:${name}`, () => give(name)] as const);
   const all = [...heard, ["change:points", () => element.report && answer()] as const];
   for (const [event, hear] of all) model.on(event, hear);
-  for (const name of Object.keys(GIVEN)) give(name);
+  for (const name of Object.keys(GIVEN)) {
+    const value = model.get(name);
+    if (typeof value === "number" || isGiven(value)) give(name);
+  }
   el.append(element);
   return () => {
     listening.abort();
-    for (const [event, hear] of all) model.off(event, hear);
+    for (const [event, hear] of all) tolerant(() => model.off(event, hear));
     element.remove();
   };
 }

@@ -1,8 +1,11 @@
 /** The project's own lessons: they can be read, and what they say of their pictures is true. */
 
-import { readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { build } from "vite";
 import { beforeAll, expect, test } from "vitest";
-import { filesOf } from "../../scripts/lib/lessons.mjs";
+import { filesOf, lessons } from "../../scripts/lib/lessons.mjs";
 import { decode } from "../link/text";
 import { flat } from "../shapes/pins";
 import { initSync, Registration } from "../wasm/thinshell.js";
@@ -56,6 +59,43 @@ test("every step asks for a prediction or sets a task, and every lesson has note
   expect(LESSONS.filter(({ notes }) => !notes).map(({ id }) => id)).toEqual([]);
   expect(LESSONS.filter(({ steps }) => !steps.some(({ task }) => task)).map(({ id }) => id)).toEqual(["surfaces"]);
 });
+
+test("a link to a lesson or a state that is not there is a mistake, with its file and line", () => {
+  const folder = mkdtempSync(join(tmpdir(), "thinshell-lessons-"));
+  const file = join(folder, "03-stretch.md");
+  const text = readFileSync("docs/lessons/03-stretch.md", "utf8");
+  const to = (address: string) => {
+    writeFileSync(file, text.replace("./experiments.html", address));
+    return () => allLessons([file]);
+  };
+  try {
+    const line = text.slice(0, text.indexOf("./experiments.html")).split("\n").length;
+    for (const address of [
+      "./lessons.html#alchemy",
+      "./index.html#v=2&preset=sun",
+      "./index.html#space=1&reference=egg",
+    ])
+      expect(to(address)).toThrow(`03-stretch.md:${line}: the link leads to “${address}”`);
+    for (const address of ["./lessons.html#stretch/6", "./index.html#v=2&preset=star", "./index.html"])
+      expect(to(address)).not.toThrow();
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test("a mistake in a lesson fails the build, which names its file and line", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "thinshell-lessons-"));
+  const text = readFileSync("docs/lessons/03-stretch.md", "utf8");
+  writeFileSync(join(folder, "03-stretch.md"), text.replace(/^minutes: .*$/m, "minutes: many"));
+  const line = text.slice(0, text.indexOf("\nminutes: ")).split("\n").length + 1;
+  const options = { write: false, rolldownOptions: { input: "virtual:lessons" } };
+  const built = build({ configFile: false, logLevel: "silent", plugins: [lessons(folder)], build: options });
+  try {
+    await expect(built).rejects.toThrow(`03-stretch.md:${line}: minutes is “many”, which must be a whole number`);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}, 30_000);
 
 test("formulas are MathML, and bring no style of their own", () => {
   const texts = STEPS.flatMap(({ step }) => [step.title, step.html, step.predict?.question, step.predict?.answer]);

@@ -197,14 +197,20 @@ function frameOf(block: Block): string {
 /** A link's text, of curves or of surfaces. */
 function checkState(entry: Entry, isCompared: boolean): void {
   at(entry, () => {
-    if (!new URLSearchParams(entry.value).has("space")) {
-      decode(entry.value);
-      return;
-    }
-    if (isCompared) throw new Error("surfaces cannot be compared side by side");
-    const { reference, template } = decodeSolid(entry.value);
-    for (const id of [reference, template]) if (!surface(id)) throw new Error(`there is no surface “${id}”`);
+    if (isCompared && new URLSearchParams(entry.value).has("space"))
+      throw new Error("surfaces cannot be compared side by side");
+    tryState(entry.value);
   });
+}
+
+/** Throws a sentence's part where the page could not show it. */
+export function tryState(state: string): void {
+  if (!new URLSearchParams(state).has("space")) {
+    decode(state);
+    return;
+  }
+  const { reference, template } = decodeSolid(state);
+  for (const id of [reference, template]) if (!surface(id)) throw new Error(`there is no surface “${id}”`);
 }
 
 function checksOf(block: Block, name: "check" | "holds"): Check[] {

@@ -48,6 +48,7 @@ export function wantedIn(args: readonly string[]): Wanted | "help" | "version" {
     throw new Refusal(`--points is “${values.points}”, but must be a whole number from 3 to ${MOST_POINTS}.`);
   }
   const { out, outline, strains } = values;
+  if (out === "") throw new Refusal("--out names no folder.");
   return { reference, targets, out, points, outline, strains, settings: chosenIn(values.set) };
 }
 

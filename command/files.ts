@@ -8,19 +8,46 @@ import { type Found, ImportError } from "../www/shapes/import/found";
 import { kindOf, textIn } from "../www/shapes/import/kind";
 import { readText } from "../www/shapes/import/read";
 import { readSvg } from "../www/shapes/import/svg";
+import { Refusal } from "./arguments";
 import { checkWellFormed } from "./drawing";
 
+/** What systems call it when nothing can have this name. */
+const ABSENT = ["ENOENT", "ENOTDIR", "ENAMETOOLONG", "ELOOP"];
 const READABLE = /\.(svg|json|geojson|csv|txt|tps)$/i;
 
 /** The files meant: one that is named, and of a folder those whose ending is that of a readable one. */
 export function filesIn(paths: readonly string[]): string[] {
   return paths.flatMap((path) => {
-    if (!statSync(path, { throwIfNoEntry: false })?.isDirectory()) return [path];
-    return readdirSync(path, { withFileTypes: true })
-      .filter((entry) => entry.isFile() && READABLE.test(entry.name))
-      .map(({ name }) => join(path, name))
+    if (!isFolder(path)) return [path];
+    const found = listed(path)
+      .filter((name) => READABLE.test(name) && !isFolder(join(path, name)))
+      .map((name) => join(path, name))
       .sort();
+    if (found.length === 0) throw new Refusal(`${path} is a folder without any SVG, GeoJSON, JSON, TPS or CSV file.`);
+    return found;
   });
+}
+
+/** What cannot be looked at is no folder: reading it tells why. */
+function isFolder(path: string): boolean {
+  try {
+    return statSync(path).isDirectory();
+  } catch {
+    return false;
+  }
+}
+
+function listed(folder: string): string[] {
+  try {
+    return readdirSync(folder);
+  } catch (error) {
+    throw new Refusal(`The folder ${folder} cannot be read (${codeOf(error)}).`);
+  }
+}
+
+/** What the system calls it, such as EACCES. */
+export function codeOf(error: unknown): string {
+  return (error as NodeJS.ErrnoException).code ?? String(error);
 }
 
 /** The shapes of a file. Throws a sentence where it is none. */
@@ -36,8 +63,9 @@ function foundIn(path: string): Found {
   try {
     bytes = readFileSync(path);
   } catch (error) {
-    const { code } = error as NodeJS.ErrnoException;
-    throw new ImportError(code === "ENOENT" ? "There is no such file." : `The file cannot be read (${code}).`);
+    const code = codeOf(error);
+    if (code === "EISDIR") throw new ImportError("This is a folder; name a file in it.");
+    throw new ImportError(ABSENT.includes(code) ? "There is no such file." : `The file cannot be read (${code}).`);
   }
   if (bytes.length === 0) throw new ImportError("The file is empty.");
   const kind = kindOf(bytes.toString("latin1", 0, 64));

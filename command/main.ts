@@ -35,11 +35,11 @@ async function batch(wanted: Wanted): Promise<void> {
   await init();
   const reference = await referenceIn(wanted);
   const plan: Plan = { reference, points: evenPoints(reference.shape, wanted.points), settings: wanted.settings };
+  const files = filesIn(wanted.targets);
   const output = new Output(wanted.out, plan, wanted.strains);
   const name = distinct();
   name(reference.name);
   const rows: Row[] = [];
-  const files = filesIn(wanted.targets);
   for (const [i, file] of files.entries()) {
     for (const taken of await targetsIn(file, wanted.outline)) {
       if (cancelling.signal.aborted) break;

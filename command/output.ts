@@ -1,13 +1,13 @@
 /** What a batch leaves in its folder, and on the screen. */
 
-import { mkdirSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { mkdirSync, statSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
 import type { Matched, Plan } from "../www/batch/match";
-import { distinct, type Taken } from "../www/batch/subjects";
+import { distinct } from "../www/batch/subjects";
 import { type Row, semilandmarksCsv, semilandmarksTps, strainsCsv, tableCsv } from "../www/batch/tables";
 import { encodeRecord } from "../www/record";
-
-export type Target = Taken & { readonly file: string };
+import { Refusal } from "./arguments";
+import { codeOf } from "./files";
 
 export class Output {
   /** Files of different names, on disks that do not tell capitals apart too. */
@@ -18,7 +18,7 @@ export class Output {
     private readonly plan: Plan,
     private readonly strains: boolean,
   ) {
-    mkdirSync(folder, { recursive: true });
+    written(folder, () => makeFolder(resolve(folder)));
   }
 
   match(row: Row, match: Matched): void {
@@ -40,9 +40,35 @@ export class Output {
   }
 
   private write(name: string, text: string): void {
-    writeFileSync(join(this.folder, name), text);
+    const file = join(this.folder, name);
+    written(file, () => writeFileSync(file, text));
   }
 }
+
+/** One by one: some systems' folders that take no other make Node's own way of doing it all at once go on for ever. */
+function makeFolder(path: string): void {
+  if (statSync(path, { throwIfNoEntry: false })?.isDirectory()) return;
+  if (dirname(path) !== path) makeFolder(dirname(path));
+  mkdirSync(path);
+}
+
+function written(path: string, write: () => void): void {
+  try {
+    write();
+  } catch (error) {
+    const code = codeOf(error);
+    const why = code === "EEXIST" || code === "ENOTDIR" ? "a file has its name" : (REASONS[code] ?? code);
+    throw new Refusal(`${path} cannot be written: ${why}.`);
+  }
+}
+
+const REASONS: Readonly<Record<string, string>> = {
+  EACCES: "it is not allowed",
+  EPERM: "it is not allowed",
+  EROFS: "the disk can only be read",
+  ENOSPC: "the disk is full",
+  EISDIR: "a folder has its name",
+};
 
 /** A name that every system takes for that of a file, and that is none of the tables'. */
 function safe(name: string): string {

@@ -303,5 +303,5 @@ test("only the outline: the largest part, its hole filled", async () => {
 
 test("names are given once", () => {
   const name = distinct();
-  expect(["a", "b", "a", "a", "a (2)"].map(name)).toEqual(["a", "b", "a (2)", "a (3)", "a (2) (2)"]);
+  expect(["a", "b", "a", "A", "a (2)"].map(name)).toEqual(["a", "b", "a (2)", "A (3)", "a (2) (2)"]);
 });

@@ -34,13 +34,13 @@ export async function subjectsIn(
   return taken;
 }
 
-/** Gives each name once: one that has been there before gets a number. */
+/** Gives each name once, whatever its capitals: one that has been there before gets a number. */
 export function distinct(): (name: string) => string {
   const given = new Set<string>();
   return (name) => {
     let unlike = name;
-    for (let i = 2; given.has(unlike); i += 1) unlike = `${name} (${i})`;
-    given.add(unlike);
+    for (let i = 2; given.has(unlike.toLowerCase()); i += 1) unlike = `${name} (${i})`;
+    given.add(unlike.toLowerCase());
     return unlike;
   };
 }

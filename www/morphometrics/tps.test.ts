@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { readland } from "../../scripts/lib/readland.mjs";
+import { readText } from "../shapes/import/read";
 import { readTpsShapes } from "../shapes/import/tps";
 import { readTps, type Specimen, writeTps } from "./tps";
 
@@ -86,9 +87,42 @@ test.each([
   ["LM=1\n1 2 3", /Line 2: “1 2 3” is not the two numbers/],
   ["LM=many\n1 1", /Line 1: “LM=many” gives no count/],
   ["LM=0\nSCALE=0", /Line 2: “SCALE=0” is no scale/],
+  ["LM=0\nCURVES=2\nPOINTS=1\n1 1", /Line 2 \(CURVES=2\) does not fit the number of its lines POINTS=: 1\./],
+  [
+    "LM=0\nCURVES=1\nPOINTS=1\n1 1\nPOINTS=1\n1 1",
+    /Line 2 \(CURVES=1\) does not fit the number of its lines POINTS=: 2\./,
+  ],
+  ["LM=9999999\n1 1", /announces 9999999 points, and 1 follow/],
+  ["LM=1\n0,5 1", /Line 2: “0,5 1” is not the two numbers/],
+  ["LM=0\nSCALE=-2", /Line 2: “SCALE=-2” is no scale/],
   ["LM3=1\n1 1 1", /Line 1: landmarks in space/],
 ])("a file is refused with its line: %j", (text, message) => {
   expect(() => readTps(text)).toThrow(message);
+});
+
+test("remarks are passed over, and lines keep their numbers", () => {
+  expect([...readTps("# by hand\nLM=1\n// the tip\n1 2\nID=a")[0].landmarks]).toEqual([1, 2]);
+  expect(() => readTps("# by hand\nLM=1\n1 two")).toThrow(/Line 3/);
+});
+
+test.each([
+  ["# by hand\r\nLM=3\r\n0 0\r\n1 0\r\n0 1\r\n", null],
+  ["lm = 3\n0 0\n1 0\n0 1\n", null],
+  ["ID=a\nLM=3\n0 0\n1 0\n0 1\n", /Line 1: a specimen begins with LM=, not with ID=/],
+  ["\n# by hand\nCURVES=1\nPOINTS=1\n0 0\n", /Line 3: a specimen begins with LM=, not with CURVES=/],
+])("a text is known for TPS by its first word, even where that is the wrong one: case %#", (text, problem) => {
+  if (problem) expect(() => readText(text)).toThrow(problem);
+  else expect(readText(text)).toMatchObject({ kind: "shapes", choices: [{ loops: [expect.anything()] }] });
+});
+
+test("a specimen without an outline does not keep the others out, and says why", () => {
+  const { choices } = readTpsShapes("LM=0\nID=a\nLM=3\n0 0\n1 0\n0 1\nID=b\nLM=3\n0 0\n-1 -1\n0 1\nID=c");
+  expect(choices.map(({ name, loops, problem }) => [name, loops.length, problem?.slice(0, 16)])).toEqual([
+    ["a", 0, "a has no outline"],
+    ["b", 1, undefined],
+    ["c", 0, "c has no outline"],
+  ]);
+  expect(() => readTpsShapes("LM=0\nID=a")).toThrow(/a has no outline/);
 });
 
 test("curves that go on in one another are one outline, and landmarks lie beside it", () => {

@@ -19,13 +19,16 @@ export type Specimen = {
 
 type Line = { readonly text: string; readonly number: number };
 
+/** The format has none but COMMENT=; they are written all the same. */
+const COMMENT = /^(#|\/\/)/;
+
 /** Throws an `ImportError` that names the line. */
 export function readTps(text: string): Specimen[] {
   const lines = text
     .replace(/^\uFEFF/, "")
     .split(/\r\n|\n|\r/)
     .map((line, i): Line => ({ text: line.trim(), number: i + 1 }))
-    .filter((line) => line.text !== "");
+    .filter((line) => line.text !== "" && !COMMENT.test(line.text));
   const found: Specimen[] = [];
   let at = 0;
   while (at < lines.length) {
@@ -37,6 +40,7 @@ export function readTps(text: string): Specimen[] {
     const curves: Float64Array[] = [];
     let [image, id, scale]: [string | null, string | null, number | null] = [null, null, null];
     const others: string[] = [];
+    let [announcing, announced]: [Line | null, number] = [null, 0];
     for (; at < lines.length; at += 1) {
       const line = lines[at];
       const { key, value } = keyed(line);
@@ -44,12 +48,15 @@ export function readTps(text: string): Specimen[] {
       if (key === "POINTS") {
         curves.push(points(lines, at, value));
         at += curves[curves.length - 1].length / 2;
-      } else if (key === "CURVES" || key === "OUTLINES") count(line, value);
-      else if (key === "IMAGE") image = value;
+      } else if (key === "CURVES" || key === "OUTLINES") {
+        announcing = line;
+        announced += count(line, value);
+      } else if (key === "IMAGE") image = value;
       else if (key === "ID") id = value;
       else if (key === "SCALE") scale = value === "" ? null : scaleOf(line, value);
       else others.push(line.text);
     }
+    if (announcing && announced !== curves.length) throw uncounted(announcing, curves.length);
     found.push({ landmarks, curves, image, id, scale, others });
   }
   if (found.length === 0) throw new ImportError("The TPS file holds no specimen.");
@@ -97,6 +104,10 @@ function points(lines: readonly Line[], at: number, value: string): Float64Array
 
 function missing({ number, text }: Line, announced: number, there: number): ImportError {
   return new ImportError(`Line ${number} (${shown(text)}) announces ${announced} points, and ${there} follow.`);
+}
+
+function uncounted({ number, text }: Line, there: number): ImportError {
+  return new ImportError(`Line ${number} (${shown(text)}) does not fit the number of its lines POINTS=: ${there}.`);
 }
 
 function count({ text, number }: Line, value: string): number {

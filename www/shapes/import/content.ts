@@ -58,6 +58,7 @@ export class Content {
     const loops: Shape = trace?.loops ?? choice?.loops ?? [];
     const facts = { loops: loops.length, placed: choice?.placed ?? false };
     const notes = trace?.cut ? ["The shape reaches the picture's edge and is cut there."] : [];
+    if (choice?.problem !== undefined) return { ...facts, prepared: null, problem: choice.problem, notes };
     if (trace && trace.loops.length === 0) {
       return { ...facts, prepared: null, problem: "Nothing is inside at this threshold; move the slider.", notes };
     }

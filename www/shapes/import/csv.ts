@@ -5,7 +5,7 @@
  */
 
 import { type Choice, type Found, ImportError } from "./found";
-import { shapeFromLoops } from "./loops";
+import { choicesFrom, shapeFromLoops } from "./loops";
 
 type Named = "loop" | "shape" | "landmark";
 type Columns = { readonly x: number; readonly y: number } & { readonly [name in Named]?: number };
@@ -15,8 +15,7 @@ type Told = { readonly name: string; readonly loops: number[][]; readonly landma
 
 export function readCsv(text: string): Found {
   const lines = text.replace(/^\uFEFF/, "").split(/\r\n|\n|\r/);
-  // In tables separated by semicolons the comma may be the decimal one.
-  const semicolons = lines.some((line) => line.includes(";"));
+  const separator = separatorOf(lines);
   let columns: Columns = { x: 0, y: 1 };
   let begun = false;
   const shapes = new Map<string, Told>();
@@ -28,12 +27,13 @@ export function readCsv(text: string): Found {
       if (last) endLoop(last);
       continue;
     }
-    const words = wordsOf(trimmed, semicolons);
-    if (!begun && words.some((word) => Number.isNaN(Number(unquoted(word))))) {
+    const words = wordsOf(trimmed, separator);
+    if (!begun && words.some((word) => /\p{L}/u.test(word) && Number.isNaN(Number(unquoted(word))))) {
       columns = columnsFrom(words.map(unquoted), index);
       begun = true;
       continue;
     }
+    if (!begun) refuseUnnamed(words, index);
     begun = true;
     const value = (column: Named) => {
       const at = columns[column];
@@ -53,7 +53,7 @@ export function readCsv(text: string): Found {
     last.loops[last.loops.length - 1].push(...point);
   }
   if (shapes.size === 0) throw new ImportError("The table holds no points; each line needs an x and a y.");
-  return { kind: "shapes", choices: [...shapes.values()].map(choice), notes: [] };
+  return { kind: "shapes", choices: choicesFrom([...shapes.values()], ({ name }) => name, choice), notes: [] };
 }
 
 function choice({ name, loops, landmarks }: Told): Choice {
@@ -67,16 +67,48 @@ function endLoop({ loops }: Told): void {
   if (loops[loops.length - 1].length > 0) loops.push([]);
 }
 
-function wordsOf(line: string, semicolons: boolean): string[] {
-  if (semicolons) return line.split(/\s*;\s*/).map((word) => word.replace(",", "."));
-  // A comma or a space within quotes belongs to a name.
-  if (line.includes('"') && line.includes(","))
-    return Array.from(line.matchAll(FIELD), ([, word]) => word.trim()).slice(0, -1);
-  return line.split(/\s*,\s*|\s+/);
+/** What separates the values of a table; a comma that does not may be the decimal one. */
+type Separator = ";" | "\t" | "," | " ";
+
+function separatorOf(lines: readonly string[]): Separator {
+  const unnamed = lines.filter((line) => !line.startsWith("#")).map((line) => line.replace(QUOTED, ""));
+  const found = ([";", "\t", ","] as const).find((mark) => unnamed.some((line) => line.trim().includes(mark)));
+  return found ?? " ";
 }
 
-/** What stands before a comma or the end; there once more, empty. */
-const FIELD = /((?:[^",]|"[^"]*"?)*)(?:,|$)/g;
+/** Quotes are kept, for what stands in them is a name. */
+function wordsOf(line: string, separator: Separator): string[] {
+  const marks = { ";": /;/, "\t": /\t/, ",": /,/, " ": /\s+/ };
+  // Among commas some write spaces.
+  const isSpaced = separator === "," && !line.replace(QUOTED, "").includes(",");
+  const mark = marks[isSpaced ? " " : separator];
+  const words: string[] = [];
+  let word = "";
+  for (const part of line.split(/("(?:[^"]|"")*")/)) {
+    const [first, ...more] = part.startsWith('"') ? [part] : part.split(mark);
+    word += first;
+    for (const next of more) {
+      words.push(word.trim());
+      word = next;
+    }
+  }
+  words.push(word.trim());
+  const decimal = separator === ";" || separator === "\t";
+  return decimal
+    ? words.map((one) => one.replace(/^("?[-+]?\d*),(\d+(?:e[-+]?\d+)?"?)$/i, "$1.$2").replace(/,$/, ""))
+    : words;
+}
+
+const QUOTED = /"(?:[^"]|"")*"/g;
+
+/** Of three numbers nobody says which two are meant. */
+function refuseUnnamed(words: readonly string[], index: number): void {
+  const count = words.filter((word) => word !== "").length;
+  if (count > 2)
+    throw new ImportError(
+      `Line ${index + 1} has ${count} numbers, and no line before names x and y; decimal commas need semicolons between the numbers.`,
+    );
+}
 
 function columnsFrom(names: readonly string[], index: number): Columns {
   const find = (name: string) => {

@@ -22,6 +22,8 @@ export type Choice = {
   /** Details up to about this many cells of the grid are better rounded off: coasts have them at any scale. */
   readonly smoothing: number;
   readonly marks?: Marks;
+  /** Why it is none, among others that are some: then it has no loops. */
+  readonly problem?: string;
 };
 
 /** A picture made small, without colour. */
@@ -49,6 +51,9 @@ export type Found =
   | { readonly kind: "picture"; readonly picture: Picture; readonly notes: readonly string[] }
   /** JSON that this page has saved: to be read by whoever knows about matches. */
   | { readonly kind: "saved"; readonly content: unknown };
+
+/** Of coordinates: the squares of what is computed with have to be numbers too. */
+export const MOST_NUMBER = 1e100;
 
 /** Input that cannot be taken: a sentence that says what is wrong and what to do. */
 export class ImportError extends Error {

@@ -3,7 +3,7 @@
 import { FORMAT } from "./format";
 import { type Choice, type Found, ImportError } from "./found";
 import { isGeoJson, readGeoJson } from "./geojson";
-import { shapeFromLoops } from "./loops";
+import { choicesFrom, shapeFromLoops } from "./loops";
 
 export function readJson(text: string): Found {
   let content: unknown;
@@ -20,12 +20,15 @@ export function readJson(text: string): Found {
   if (isGeoJson(content)) return readGeoJson(content);
   const list = Array.isArray(content) && !isPoint(content[0]) && !isPoints(content[0]) ? content : [content];
   if (list.length === 0) throw new ImportError("The list in the JSON is empty.");
-  return { kind: "shapes", choices: list.map(choice), notes: [] };
+  return { kind: "shapes", choices: choicesFrom(list, nameOf, choice), notes: [] };
+}
+
+function nameOf(item: unknown, index: number): string {
+  return isRecord(item) && typeof item.name === "string" ? item.name : `Shape ${index + 1}`;
 }
 
 /** `{name, class?, points}` or `{name, loops}`, or bare points or loops. */
-function choice(item: unknown, index: number): Choice {
-  const named = isRecord(item) && typeof item.name === "string" ? item.name : `Shape ${index + 1}`;
+function choice(item: unknown, named: string): Choice {
   const content = isRecord(item) ? (item.points ?? item.loops ?? item.polygon) : item;
   if (!Array.isArray(content) || content.length === 0) {
     throw new ImportError(

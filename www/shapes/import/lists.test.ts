@@ -20,9 +20,47 @@ test.each([
   ["spaces, a remark and a byte order mark", "\uFEFF# outline\n0 0\n2  0\n2 1\n0 1"],
   ["a header", "x,y\n0,0\n2,0\n2,1\n0,1"],
   ["columns by name", 'id,"y","x"\n1,0,0\n2,0,2\n3,1,2\n4,1,0'],
+  ["tabs and decimal commas", "x\ty\n0\t0\n2,0\t0\n2\t1,0\n0\t1"],
+  ["tabs, commas before them", "0,\t0\n2,\t0\n2,\t1\n0,\t1"],
+  ["numbers in quotes, a byte order mark", '\uFEFF"x";"y"\r\n"0";"0"\r\n"2,0";"0"\r\n"2";"1"\r\n"0";"1"\r\n'],
+  ["units in its header", "x [mm],y [mm]\n0,0\n2,0\n2,1\n0,1"],
+  ["nothing after each last comma", "0,0,\n2,0,\n2,1,\n0,1,"],
+  ["the names of rows, as R writes them", '"","x","y"\n"1",0,0\n"2",2,0\n"3",2,1\n"4",0,1'],
   ["the first point again at the end", "0,0\n2,0\n2,1\n0,1\n0,0"],
 ])("a table with %s", (_, text) => {
   expect(area(choices(readCsv(text))[0].loops)).toBeCloseTo(2, 5);
+});
+
+test.each([
+  ["one; two", 'shape;x;y\n"one; two";0,5;0\n"one; two";2,5;0\n"one; two";2,5;2'],
+  ["one, two", 'shape;x;y\n"one, two";0,5;0\n"one, two";2,5;0\n"one, two";2,5;2'],
+  ["a;b", 'shape,x,y\n"a;b",0,0\n"a;b",2,0\n"a;b",2,2'],
+  ["one two", '"shape"\t"x"\t"y"\n"one two"\t0\t0\n"one two"\t2\t0\n"one two"\t2\t2'],
+  ['say "a, b"', 'shape,x,y\n"say ""a, b""",0,0\n"say ""a, b""",2,0\n"say ""a, b""",2,2'],
+])("what stands in quotes is a name, whatever separates: %s", (name, text) => {
+  const [choice] = choices(readCsv(text));
+  expect(choice.name).toBe(name);
+  expect(area(choice.loops)).toBeCloseTo(2, 5);
+});
+
+test("a shape that is none does not keep the others of its list out, and says why", () => {
+  const table = "shape,x,y\na,0,0\na,1,0\nb,0,0\nb,2,0\nb,2,1";
+  expect(choices(readCsv(table)).map(({ name, problem }) => [name, problem])).toEqual([
+    ["a", "Loop 1 of a has 2 points; a closed curve needs at least three."],
+    ["b", undefined],
+  ]);
+  const list = [
+    { name: "a" },
+    [
+      [0, 0],
+      [1, 0],
+      [0, 1],
+    ],
+  ];
+  expect(choices(readJson(JSON.stringify(list))).map(({ problem }) => problem)).toEqual([
+    expect.stringContaining("a has no points"),
+    undefined,
+  ]);
 });
 
 test("blank lines and a column called loop tell loops apart; inner ones are holes", () => {
@@ -36,8 +74,15 @@ test.each([
   ["1,2\n3,four\n5,6", /Line 2: “four” is not a number/],
   ["1,2\n3\n5,6", /Line 2 has only one number/],
   ["a,b,c\n1,2,3", /Line 1 names 3 columns/],
+  ["1,2,3\n4,5,6", /Line 1 has 3 numbers, and no line before names x and y/],
+  ["0,5 0,5\n1,5 0,5", /Line 1 has 3 numbers.* decimal commas need semicolons/],
+  ["0,0 1,0 1,1", /Line 1 has 4 numbers/],
+  ['x,y\n"1,000",2', /Line 2: “"1,000"” is not a number/],
+  ['shape,x,y\n"a\nb",0,0', /Line 2 has only one number/],
   ["1,2\n3,4", /has 2 points; a closed curve needs at least three/],
   ["1,1\n2,2\n3,3", /enclose no area/],
+  ["1e200,0\n2e200,0\n2e200,1e200", /too large or too small to be computed with/],
+  ["0,0\n1e-200,0\n0,1e-200", /too large or too small to be computed with/],
   ["\n\n", /holds no points/],
 ])("a table is refused with its line: %j", (text, message) => {
   expect(() => readCsv(text)).toThrow(message);

@@ -1,7 +1,7 @@
 /** Path data as polylines: every command of SVG, curves flattened to a tolerance. */
 
 import svgpath from "svgpath";
-import { ImportError } from "./found";
+import { ImportError, MOST_NUMBER } from "./found";
 import { applied, type Matrix } from "./transform";
 
 /** Absolute commands M L H V C Q Z with their numbers; arcs and smooth curves have become C and Q. */
@@ -26,6 +26,9 @@ export function parsePath(data: string): Commands {
     .iterate((segment) => {
       commands.push([...segment] as [string, ...number[]]);
     });
+  const isUsual = (part: string | number) => typeof part === "string" || Math.abs(part) <= MOST_NUMBER;
+  if (!commands.every((command) => command.every(isUsual)))
+    throw new ImportError("Path data holds a number that is too large to be computed with; take another unit.");
   return commands;
 }
 

@@ -62,7 +62,7 @@ test("one path that crosses itself many times is the same either way of counting
   const [a, b] = [outlined([{ loops: [once], rule: "nonzero" }]), outlined([{ loops: [often], rule: "nonzero" }])];
   // Four times around is not zero either.
   expect(area(b)).toBeCloseTo(area(a), 9);
-});
+}, 30_000);
 
 test("a coast of a hundred thousand points is swept exactly, what is tangled is not", () => {
   const coast = disc(0, 0, 1, 100_000);

@@ -8,12 +8,15 @@ import { readTpsShapes } from "./tps";
 /** How far into a text its kind shows. */
 const HEAD = 400;
 
+/** A word of TPS comes first, even where it is the wrong one, save for remarks. */
+const TPS = /^(?:(?:#|\/\/).*\s*)*(?:LM3?|CURVES|OUTLINES|POINTS|IMAGE|ID|SCALE|COMMENT|VARIABLES)\s*=/i;
+
 /** Throws an `ImportError` for whatever is none of JSON, GeoJSON, TPS and CSV. */
 export function readText(text: string): Found {
   const start = text.replace(/^\uFEFF/, "").trimStart();
   if (start === "") throw new ImportError("The text is empty.");
   if (/^[{[]/.test(start)) return readJson(start);
-  if (/^LM3?\s*=/i.test(start)) return readTpsShapes(start);
+  if (TPS.test(start)) return readTpsShapes(text);
   const [line] = start.slice(0, HEAD).split("\n", 1);
   const named = /\bx\b/i.test(line) && /\by\b/i.test(line);
   if (/^[#"\s]*[-+\d.]/.test(start.slice(0, HEAD)) || named) return readCsv(start);

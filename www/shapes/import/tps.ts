@@ -3,20 +3,22 @@
 import { readTps, type Specimen } from "../../morphometrics/tps";
 import { bounds, type Loop } from "../geometry";
 import { type Choice, type FoundShapes, ImportError } from "./found";
-import { shapeFromLoops } from "./loops";
+import { choicesFrom, shapeFromLoops } from "./loops";
 
 /** Curves whose ends lie nearer to each other than this part of the specimen go on in one another. */
 const TOUCHING = 1e-4;
 
 export function readTpsShapes(text: string): FoundShapes {
   const notes = new Set<string>();
-  const choices = readTps(text).map((specimen, index) => choice(specimen, index, notes));
+  const choices = choicesFrom(readTps(text), nameOf, (specimen, name) => choice(specimen, name, notes));
   return { kind: "shapes", choices, notes: [...notes] };
 }
 
-function choice(specimen: Specimen, index: number, notes: Set<string>): Choice {
-  const { id, image, landmarks, curves, scale } = specimen;
-  const name = id || image?.replace(/\.\w+$/, "") || `Specimen ${index + 1}`;
+function nameOf({ id, image }: Specimen, index: number): string {
+  return id || image?.replace(/\.\w+$/, "") || `Specimen ${index + 1}`;
+}
+
+function choice({ image, landmarks, curves, scale }: Specimen, name: string, notes: Set<string>): Choice {
   const drawn = curves.map(present).filter((curve) => curve.length > 0);
   const points = present(landmarks);
   if (drawn.length === 0 && points.length < 6) {

@@ -114,11 +114,15 @@ export const imports: Patterns = {
     "Zeile {line}: „{shown}“ sind nicht die zwei Zahlen eines Punktes.",
   "Line {line} ({shown}) announces {count} points, and {there} follow.":
     "Zeile {line} ({shown}) kündigt {count} Punkte an, und {there} folgen.",
+  "Line {line} ({shown}) does not fit the number of its lines POINTS=: {there}.":
+    "Zeile {line} ({shown}) passt nicht zur Zahl ihrer Zeilen POINTS=: {there}.",
   "Line {line}: “{shown}” gives no count.": "Zeile {line}: „{shown}“ nennt keine Anzahl.",
   "Line {line}: “{shown}” is no scale; it is empty, or a number above 0.":
     "Zeile {line}: „{shown}“ ist kein Maßstab; er ist leer oder eine Zahl über 0.",
   "Line {line} names {count} columns; call the two to be used x and y.":
     "Zeile {line} nennt {count} Spalten; nennen Sie die beiden gemeinten x und y.",
+  "Line {line} has {count} numbers, and no line before names x and y; decimal commas need semicolons between the numbers.":
+    "Zeile {line} hat {count} Zahlen, und keine Zeile davor nennt x und y; mit Dezimalkommas gehören Strichpunkte zwischen die Zahlen.",
   "Line {line} has only one number; each line needs an x and a y.":
     "Zeile {line} hat nur eine Zahl; jede Zeile braucht ein x und ein y.",
   "Line {line}: “{shown}” is not a number; each line needs an x and a y.":
@@ -144,4 +148,8 @@ export const imports: Patterns = {
   "Loop {number} of {name} has {points} points; a closed curve needs at least three.":
     "Kurve {number} von {name} hat {points} Punkte; eine geschlossene Kurve braucht mindestens drei.",
   "The points of {name} enclose no area.": "Die Punkte von {name} umschließen keine Fläche.",
+  "The numbers of {name} are too large or too small to be computed with; take another unit.":
+    "Die Zahlen von {name} sind zu groß oder zu klein zum Rechnen; nehmen Sie eine andere Einheit.",
+  "Path data holds a number that is too large to be computed with; take another unit.":
+    "Die Pfaddaten enthalten eine Zahl, die zum Rechnen zu groß ist; nehmen Sie eine andere Einheit.",
 };

@@ -86,7 +86,7 @@ export class Matching {
   map(points: readonly GivenPoint[]): [number, number][] | null {
     if (
       !Array.isArray(points) ||
-      !points.every((point) => isNumbers(point, 2) && isInBox(point[0]) && isInBox(point[1]))
+      !Array.from(points).every((point) => isNumbers(point, 2) && isInBox(point[0]) && isInBox(point[1]))
     )
       throw new Error("points must be a list of points [x, y] of the box, from 0 to 1");
     const match = this.match.peek();

@@ -73,6 +73,8 @@ test.each([
   [{ thinshell: 1, kind: "map", points: [[0, Number.NaN]] }, /points must be/],
   [{ thinshell: 1, kind: "map", points: [[0, 1.5]] }, /points must be/],
   [{ thinshell: 1, kind: "map", points: [["0", "1"]] }, /points must be/],
+  [{ thinshell: 1, kind: "map", points: new Array(3) }, /points must be/],
+  [{ thinshell: 1, kind: "map", points: [Object.assign(new Array(2), { 0: 0.5 })] }, /points must be/],
   [{ thinshell: 1, kind: "map", points: far }, /at most 10000 points/],
 ])("a message that is wrong is refused by a sentence, and changes nothing: case %#", (data, words) => {
   const own = host();

@@ -75,7 +75,10 @@ function obeyed<Report>(message: Readonly<Record<string, unknown>>, host: Host<R
 
 function pointsFrom(value: unknown): readonly (readonly [number, number])[] {
   const isPoint = (one: unknown): one is [number, number] =>
-    Array.isArray(one) && one.length === 2 && one.every((part) => Number.isFinite(part) && part >= 0 && part <= 1);
-  if (Array.isArray(value) && value.length <= MOST_POINTS && value.every(isPoint)) return value;
+    Array.isArray(one) &&
+    one.length === 2 &&
+    Array.from(one).every((part) => Number.isFinite(part) && part >= 0 && part <= 1);
+  // Of a list with holes `every` would not see them.
+  if (Array.isArray(value) && value.length <= MOST_POINTS && Array.from(value).every(isPoint)) return value;
   throw new Error(`points must be a list of at most ${MOST_POINTS} points [x, y] of the box, from 0 to 1`);
 }

@@ -1,5 +1,5 @@
 //! Registers a family of pairs with default settings and says of each how it ended:
-//! `cargo run --release --example families -- FAMILY [--count N] [--from N] [--level L] [--only NAME]`.
+//! `cargo run --release --example families -- FAMILY [--count N] [--from N] [--level L] [--only NAME] [--threads N]`.
 //!
 //! | FAMILY | pairs |
 //! |---|---|
@@ -11,7 +11,8 @@
 //!
 //! A match is good if no part of the moved reference is further than half a cell from the template and no part of the
 //! template is further than a cell from the moved reference. A pair is resolvable if the necks and gaps of both shapes are two cells wide. The cost
-//! counts iterations in units of the finest level. Pairs run on two threads, which changes their times and nothing else.
+//! counts iterations in units of the finest level. Pairs run on as many threads as asked for, one unless told, which changes
+//! their times and nothing else.
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
@@ -24,19 +25,18 @@ use std::process::exit;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 
-const THREADS: usize = 2;
-
 struct Options {
     family: String,
     count: Option<usize>,
     from: usize,
     level: u32,
     only: Option<String>,
+    threads: usize,
 }
 
 fn main() {
     let options = options().unwrap_or_else(|problem| {
-        eprintln!("{problem}\n\nfamilies silhouettes|unlike|deep|random|PATH.json [--count N] [--from N] [--level L] [--only NAME]");
+        eprintln!("{problem}\n\nfamilies silhouettes|unlike|deep|random|PATH.json [--count N] [--from N] [--level L] [--only NAME] [--threads N]");
         exit(2)
     });
     let pairs = family::pairs(&options.family, options.from, options.count).unwrap_or_else(|problem| {
@@ -46,14 +46,14 @@ fn main() {
     let wanted = |pair: &Pair| options.only.as_ref().is_none_or(|name| pair.name.contains(name.as_str()));
     let pairs: Vec<Pair> = pairs.into_iter().filter(wanted).collect();
     println!("{}", Outcome::HEAD);
-    let outcomes = register(&pairs, options.level);
+    let outcomes = register(&pairs, options.level, options.threads);
     summarise(&outcomes, options.level);
 }
 
 fn options() -> Result<Options, String> {
     let mut words = std::env::args().skip(1);
     let family = words.next().ok_or("Which family?")?;
-    let mut options = Options { family, count: None, from: 0, level: 7, only: None };
+    let mut options = Options { family, count: None, from: 0, level: 7, only: None, threads: 1 };
     while let Some(word) = words.next() {
         let value = words.next().ok_or(format!("{word} needs a value."))?;
         let number = || value.parse::<usize>().map_err(|_| format!("{word} needs a whole number, not {value}."));
@@ -61,6 +61,7 @@ fn options() -> Result<Options, String> {
             "--count" => options.count = Some(number()?),
             "--from" => options.from = number()?,
             "--level" => options.level = number()? as u32,
+            "--threads" => options.threads = number()?.max(1),
             "--only" => options.only = Some(value),
             _ => return Err(format!("There is no option {word}.")),
         }
@@ -69,11 +70,11 @@ fn options() -> Result<Options, String> {
 }
 
 /// Registers all pairs and prints each in its order, as soon as those before it are done.
-fn register(pairs: &[Pair], level: u32) -> Vec<Outcome> {
+fn register(pairs: &[Pair], level: u32, threads: usize) -> Vec<Outcome> {
     let next = AtomicUsize::new(0);
     let (sender, receiver) = mpsc::channel();
     std::thread::scope(|scope| {
-        for _ in 0..THREADS {
+        for _ in 0..threads {
             let (sender, next) = (sender.clone(), &next);
             scope.spawn(move || {
                 loop {

@@ -70,9 +70,10 @@ pub(super) fn guide<const D: usize>(
     let (Some(first), Some(second)) = (only(&first), only(&second)) else { return Vec::new() };
     let turn = displacement.map_or(DVec2::X, |u| turn_of(first, Grid::new(shapes[0].grid().cells()), u));
     let (from, to) = (Curve::of(first, turn), Curve::of(second, DVec2::X));
+    let step_costs = StepCosts::of(&from, &to);
     let (mut best, mut least) = (Vec::new(), f64::INFINITY);
     for beginning in 0..BEGINNINGS {
-        let (cost, path) = assign(&from, &to, beginning * SAMPLES / BEGINNINGS, least);
+        let (cost, path) = assign(&step_costs, beginning * SAMPLES / BEGINNINGS, least);
         if cost < least {
             (best, least) = (path, cost);
         }
@@ -141,46 +142,78 @@ impl Curve {
     }
 }
 
-/// The least cost of an assignment that begins with sample 0 against `beginning`, and its knots; infinite if it exceeds
-/// `bound`.
-fn assign(from: &Curve, to: &Curve, beginning: usize, bound: f64) -> (f64, Vec<[usize; 2]>) {
-    let side = SAMPLES + 1;
-    let mut costs = vec![f64::INFINITY; side * side];
-    let mut steps = vec![[0_u8; 2]; side * side];
-    costs[0] = 0.0;
-    let allowed: Vec<[usize; 2]> = (1..=LONGEST_STEP)
+/// The steps (i, j) that an assignment may take.
+fn allowed_steps() -> Vec<[usize; 2]> {
+    (1..=LONGEST_STEP)
         .flat_map(|i| (1..=LONGEST_STEP).map(move |j| [i, j]))
         .filter(|&[i, j]| coprime(i, j) && (i.max(j) <= MOST_STEP || i.min(j) == 1))
-        .collect();
+        .collect()
+}
+
+/// What each step costs that ends in sample i of one curve, 1 ≤ i ≤ `SAMPLES`, and sample j of the other; for all
+/// beginnings the same.
+struct StepCosts {
+    steps: Vec<[usize; 2]>,
+    /// All steps to (1, 0), then those to (1, 1), …
+    costs: Vec<f64>,
+}
+
+impl StepCosts {
+    fn of(from: &Curve, to: &Curve) -> Self {
+        let steps = allowed_steps();
+        let mut costs = Vec::with_capacity(SAMPLES * SAMPLES * steps.len());
+        for i in 1..=SAMPLES {
+            for j in 0..SAMPLES {
+                let place = from.places[i % SAMPLES].distance_squared(to.places[j]);
+                costs.extend(steps.iter().map(|&[a, b]| {
+                    let rate = b as f64 / a as f64;
+                    let pieces = a.max(b);
+                    let along: f64 = (0..pieces)
+                        .filter(|_| a <= i)
+                        .map(|piece| {
+                            let s = i - a + piece * a / pieces;
+                            let t = j + SAMPLES - b + piece * b / pieces;
+                            from.tangents[s].dot(to.tangents[t % SAMPLES])
+                        })
+                        .sum();
+                    let elastic = 1.0 + rate - 2.0 * rate.sqrt() * along / pieces as f64;
+                    a as f64 * (elastic + PLACE_WEIGHT * place)
+                }));
+            }
+        }
+        Self { steps, costs }
+    }
+
+    fn to(&self, i: usize, j: usize) -> &[f64] {
+        let first = ((i - 1) * SAMPLES + j) * self.steps.len();
+        &self.costs[first..first + self.steps.len()]
+    }
+}
+
+/// The least cost of an assignment that begins with sample 0 against `beginning`, and its knots; infinite if it exceeds
+/// `bound`.
+fn assign(step_costs: &StepCosts, beginning: usize, bound: f64) -> (f64, Vec<[usize; 2]>) {
+    let side = SAMPLES + 1;
+    let mut costs = vec![f64::INFINITY; side * side];
+    let mut taken = vec![0_u8; side * side];
+    costs[0] = 0.0;
     for i in 1..=SAMPLES {
         let mut lowest = f64::INFINITY;
         // Beyond these slopes of the whole path nothing ends in the corner.
         for j in i.div_ceil(LONGEST_STEP)..=SAMPLES.min(i * LONGEST_STEP) {
-            let place = from.places[i % SAMPLES].distance_squared(to.places[(j + beginning) % SAMPLES]);
-            for &[a, b] in &allowed {
+            let (mut least, mut by) = (f64::INFINITY, 0);
+            let steps = step_costs.steps.iter().zip(step_costs.to(i, (j + beginning) % SAMPLES));
+            for (number, (&[a, b], step)) in steps.enumerate() {
                 if a > i || b > j {
                     continue;
                 }
-                let before = costs[(i - a) * side + j - b];
-                if before >= costs[i * side + j] {
-                    continue;
-                }
-                let rate = b as f64 / a as f64;
-                let pieces = a.max(b);
-                let mut along = 0.0;
-                for piece in 0..pieces {
-                    let s = i - a + piece * a / pieces;
-                    let t = j - b + piece * b / pieces + beginning;
-                    along += from.tangents[s].dot(to.tangents[t % SAMPLES]);
-                }
-                let elastic = 1.0 + rate - 2.0 * rate.sqrt() * along / pieces as f64;
-                let cost = before + a as f64 * (elastic + PLACE_WEIGHT * place);
-                if cost < costs[i * side + j] {
-                    costs[i * side + j] = cost;
-                    steps[i * side + j] = [a as u8, b as u8];
+                let cost = costs[(i - a) * side + j - b] + step;
+                if cost < least {
+                    (least, by) = (cost, number);
                 }
             }
-            lowest = lowest.min(costs[i * side + j]);
+            (costs[i * side + j], taken[i * side + j]) = (least, by as u8);
+            lowest = lowest.min(least);
         }
         if lowest > bound && i > LONGEST_STEP {
             return (f64::INFINITY, Vec::new());
@@ -189,7 +222,7 @@ fn assign(from: &Curve, to: &Curve, beginning: usize, bound: f64) -> (f64, Vec<[
     let mut knots = Vec::new();
     let (mut i, mut j) = (SAMPLES, SAMPLES);
     while i > 0 && costs[SAMPLES * side + SAMPLES].is_finite() {
-        let [a, b] = steps[i * side + j].map(usize::from);
+        let [a, b] = step_costs.steps[usize::from(taken[i * side + j])];
         (i, j) = (i - a, j - b);
         knots.push([i, j + beginning]);
     }

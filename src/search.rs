@@ -28,11 +28,11 @@ use std::rc::Rc;
 
 /// Iterations that refine the inverse of an exchanged match: more would start to crumple the shell, which is what the
 /// exchange avoids.
-const REFINEMENT: usize = 10;
+const REFINEMENT: usize = 5;
 /// Iterations of a round of sharpening: then it is looked again for what is still missed.
 const SHARPENING: usize = 12;
 /// Iterations on the finest level after which a run is judged: those that take more creep, and sharpening gets farther.
-const EXPLORATION: usize = 40;
+const EXPLORATION: usize = 28;
 
 /// A registration under way.
 pub struct Search<const D: usize> {

@@ -1,8 +1,11 @@
 //! The multigrid cycle as a theorem: symmetric, and converging at a rate that does not depend on the level.
 
 mod common;
+#[path = "common/solids.rs"]
+mod solids;
 
 use common::{circle, ellipse, leaf};
+use solids::{ellipsoid, solid, sphere};
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
@@ -103,17 +106,24 @@ fn the_sobolev_operator_converges_by_a_factor_below_a_fifth_on_every_level() {
     }
 }
 
-/// The Hessian of circle → ellipse at the identity's neighbour.
-fn hessian(level: u32) -> (Multigrid<2>, Vec<f64>) {
-    let grid = Grid::<2>::of_level(level);
-    let shape = |curve| SignedDistance::from_loops(grid, &[curve]).expect("a valid curve");
-    let (reference, template) = (shape(circle([0.5; 2], 0.15)), shape(ellipse([0.5; 2], 0.3, 0.2)));
-    let mut assembler: CpuAssembler<2> =
+fn curves(level: u32) -> [SignedDistance<2>; 2] {
+    [circle([0.5; 2], 0.15), ellipse([0.5; 2], 0.3, 0.2)]
+        .map(|curve| SignedDistance::from_loops(Grid::of_level(level), &[curve]).expect("a valid curve"))
+}
+
+fn surfaces(level: u32) -> [SignedDistance<3>; 2] {
+    [solid(level, sphere(0.2)), solid(level, ellipsoid([0.3, 0.22, 0.18]))]
+}
+
+/// The hessian of a pair under a stretch of the box, and the gradient there.
+fn hessian<const D: usize>(level: u32, [reference, template]: [SignedDistance<D>; 2]) -> (Multigrid<D>, Vec<f64>) {
+    let grid = Grid::<D>::of_level(level);
+    let mut assembler: CpuAssembler<D> =
         CpuAssembler::new(&Settings::default().functional(level), &reference, &template);
     let displacement: Vec<f64> = (0..grid.node_count())
         .flat_map(|node| {
-            let x = grid.position(node);
-            [0.4 * (x[0] - 0.5), 0.3 * (x[1] - 0.5)]
+            let x: [f64; D] = grid.position(node);
+            std::array::from_fn::<f64, D, _>(|k| [0.4, 0.3, 0.2][k] * (x[k] - 0.5))
         })
         .collect();
     let mut multigrid = Multigrid::new(grid);
@@ -124,25 +134,29 @@ fn hessian(level: u32) -> (Multigrid<2>, Vec<f64>) {
     (multigrid, gradient)
 }
 
-#[test]
-fn real_hessians_are_solved_in_a_few_steps_on_every_level() {
-    for level in [4, 5, 6, 7] {
-        let (mut multigrid, gradient) = hessian(level);
-        let mut solution = vec![0.0; gradient.len()];
-        let solve = multigrid.solve(&gradient, 1e-2, 40, &mut solution);
-        assert!(solve.iterations <= 8, "level {level}: {solve:?}");
-        let operator = multigrid.operator_mut();
-        let residual: f64 =
-            apply(operator, &solution).iter().zip(&gradient).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
-        let size = gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
-        assert!(residual < 0.1 * size, "level {level}: residual {residual} of {size}");
-    }
+fn is_solved_in_a_few_steps<const D: usize>((mut multigrid, gradient): (Multigrid<D>, Vec<f64>), what: &str) {
+    let mut solution = vec![0.0; gradient.len()];
+    let solve = multigrid.solve(&gradient, 1e-2, 40, &mut solution);
+    assert!(solve.iterations <= 8, "{what}: {solve:?}");
+    let operator = multigrid.operator_mut();
+    let residual: f64 =
+        apply(operator, &solution).iter().zip(&gradient).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    let size = gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
+    assert!(residual < 0.1 * size, "{what}: residual {residual} of {size}");
 }
 
 #[test]
-fn the_cycle_is_symmetric() {
-    let (mut multigrid, _) = hessian(5);
-    let count = Grid::<2>::of_level(5).node_count() * 2;
+fn real_hessians_are_solved_in_a_few_steps_on_every_level() {
+    for level in [4, 5, 6, 7] {
+        is_solved_in_a_few_steps(hessian(level, curves(level)), &format!("curves on level {level}"));
+    }
+    for level in [4, 5] {
+        is_solved_in_a_few_steps(hessian(level, surfaces(level)), &format!("surfaces on level {level}"));
+    }
+}
+
+fn is_symmetric<const D: usize>((mut multigrid, gradient): (Multigrid<D>, Vec<f64>)) {
+    let count = gradient.len();
     let (a, b) = (noise(count), noise(count + 7)[7..].to_vec());
     let (mut from_a, mut from_b) = (vec![0.0; count], vec![0.0; count]);
     multigrid.v_cycle(&a, &mut from_a);
@@ -150,7 +164,13 @@ fn the_cycle_is_symmetric() {
     let product = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(p, q)| p * q).sum::<f64>();
     let (left, right) = (product(&b, &from_a), product(&a, &from_b));
     let size = (product(&a, &from_a) * product(&b, &from_b)).sqrt();
-    assert!((left - right).abs() < 1e-4 * size, "{left} is not {right}, of {size}");
+    assert!((left - right).abs() < 1e-4 * size, "D = {D}: {left} is not {right}, of {size}");
+}
+
+#[test]
+fn the_cycle_is_symmetric() {
+    is_symmetric(hessian(5, curves(5)));
+    is_symmetric(hessian(4, surfaces(4)));
 }
 
 #[test]

@@ -49,11 +49,27 @@ test("an element draws something, and follows its place in the page", async ({ p
   await page.goto(`${server.address}element.html`);
   const canvas = page.locator("#first canvas");
   await expect(canvas).toHaveAttribute("aria-label", /^matched/, { timeout: 45_000 });
-  const painted = await canvas.evaluate((element: HTMLCanvasElement) => {
-    const { data } = element.getContext("2d")?.getImageData(0, 0, element.width, element.height) ?? { data: [] };
-    return new Set(new Uint32Array((data as Uint8ClampedArray).buffer)).size;
-  });
-  expect(painted).toBeGreaterThan(100);
+  const painted = () =>
+    canvas.evaluate((element: HTMLCanvasElement) => {
+      const { data } = element.getContext("2d")?.getImageData(0, 0, element.width, element.height) ?? { data: [] };
+      const colours = new Set(new Uint32Array((data as Uint8ClampedArray).buffer));
+      const [red, green, blue] = [1, 3, 5].map((at) => {
+        const ink = getComputedStyle(element).getPropertyValue("--ink").trim();
+        return Number.parseInt(ink.slice(at, at + 2), 16);
+      });
+      return { count: colours.size, ink: colours.has(((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0) };
+    });
+  expect((await painted()).count).toBeGreaterThan(100);
+  // Its lines have the colour that the element has, in either scheme.
+  for (const colorScheme of ["light", "dark"] as const) {
+    await page.emulateMedia({ colorScheme });
+    await page.evaluate(() => {
+      const first = document.querySelector("#first");
+      first?.setAttribute("view", "stretch");
+      first?.setAttribute("controls", "view");
+    });
+    await expect.poll(async () => (await painted()).ink, colorScheme).toBe(true);
+  }
   await page.evaluate(() => {
     const first = document.querySelector("#first");
     if (first) document.querySelector("main")?.append(first);

@@ -197,14 +197,13 @@ export class ThinShellMatch extends HTMLElement {
   #build(): void {
     for (const stop of this.#parts.splice(0)) stop();
     const wanted = this.#wanted(false);
-    const parts = [
-      picture(this.#matching),
-      ...(wanted.includes("view") ? [viewPicker(this.#matching)] : []),
-      ...(wanted.includes("morph") ? [morphSlider(this.#matching)] : []),
-      words(this.#matching, this.#problem, wanted.includes("numbers")),
+    this.#root.replaceChildren();
+    this.#parts = [
+      picture(this.#root, this.#matching),
+      ...(wanted.includes("view") ? [viewPicker(this.#root, this.#matching)] : []),
+      ...(wanted.includes("morph") ? [morphSlider(this.#root, this.#matching)] : []),
+      words(this.#root, this.#matching, this.#problem, wanted.includes("numbers")),
     ];
-    this.#parts = parts.map(({ stop }) => stop);
-    this.#root.replaceChildren(...parts.map(({ element }) => element));
   }
 }
 

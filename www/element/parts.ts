@@ -13,14 +13,17 @@ import { en } from "../words/en";
 import { resultState } from "../words/said";
 import type { Matching } from "./matching";
 
-type Part = { readonly element: HTMLElement; readonly stop: () => void };
+/** Puts itself into the root; gives how to stop following. */
+type Stop = () => void;
 
-export function picture({ shapes, settings, view, morph, match, phase }: Matching): Part {
+export function picture(root: ShadowRoot, { shapes, settings, view, morph, match, phase }: Matching): Stop {
   const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
   const element = document.createElement("div");
   element.className = "surface";
   element.append(canvas);
+  // First, for its colours are those of the place where it is.
+  root.append(element);
   let square: Square | null = null;
   const seen = () => {
     const { reference, template } = shapes.peek();
@@ -47,45 +50,49 @@ export function picture({ shapes, settings, view, morph, match, phase }: Matchin
     canvas.setAttribute("aria-label", resultState({ phase: phase.value, status, stale: false }));
     surface.invalidate();
   });
-  const stop = () => {
+  return () => {
     follow();
     surface.dispose();
   };
-  return { element, stop };
 }
 
-export function viewPicker(matching: Matching): Part {
+export function viewPicker(root: ShadowRoot, matching: Matching): Stop {
   const element = document.createElement("select");
   element.setAttribute("aria-label", "View");
   for (const view of VIEWS) element.add(new Option(en.views[view], view));
   element.onchange = () => matching.setView(element.value);
-  const stop = effect(() => {
+  root.append(element);
+  return effect(() => {
     element.value = matching.view.value;
   });
-  return { element, stop };
 }
 
-export function morphSlider(matching: Matching): Part {
+export function morphSlider(root: ShadowRoot, matching: Matching): Stop {
   const element = document.createElement("input");
   Object.assign(element, { type: "range", min: "0", max: "1", step: "0.01" });
   element.setAttribute("aria-label", "Morph");
   element.oninput = () => matching.setMorph(element.valueAsNumber);
-  const stop = effect(() => {
+  root.append(element);
+  return effect(() => {
     element.value = String(matching.morph.value);
     element.disabled = matching.match.value === null;
   });
-  return { element, stop };
 }
 
 /** What is wrong is said in any case, the rest where it is wanted. */
-export function words({ match, phase }: Matching, problem: ReadonlySignal<string | null>, isWanted: boolean): Part {
+export function words(
+  root: ShadowRoot,
+  { match, phase }: Matching,
+  problem: ReadonlySignal<string | null>,
+  isWanted: boolean,
+): Stop {
   const element = document.createElement("p");
   element.setAttribute("role", "status");
-  const stop = effect(() => {
+  root.append(element);
+  return effect(() => {
     const status = match.value?.status;
     const said = status?.verdict ?? resultState({ phase: phase.value, status: status ?? null, stale: false });
     element.textContent = problem.value ?? (isWanted ? said : "");
     element.className = problem.value ? "problem" : "";
   });
-  return { element, stop };
 }

@@ -100,6 +100,17 @@ fn shapes_that_fall_between_coarse_nodes_start_on_the_first_level_that_carries_t
 }
 
 #[test]
+fn a_shape_whose_coarse_nodes_all_lie_on_its_outline_starts_on_a_finer_level() {
+    // What is inside between a row of nodes and a diagonal; one of them may be negative by rounding.
+    let corners = [[0.6, 0.5], [0.5, 0.5], [0.3, 0.3], [0.7, 0.7], [0.6, 0.6]];
+    let reference = distance(5, &[corners.map(DVec2::from).to_vec()]);
+    assert!(!reference.is_carried_by(16));
+    let settings = Settings { coarsest: 4, finest: 5, ..Settings::default() };
+    let search = ready(Search::new(reference, distance(5, &[circle(CENTRE, 0.2)]), settings)).expect("valid settings");
+    assert_eq!(search.progress().level, 5);
+}
+
+#[test]
 fn an_update_to_a_small_shape_goes_on_where_it_is_carried() {
     let settings = Settings { finest: 6, ..Settings::default() };
     let reference = distance(6, &[circle(CENTRE, 0.2)]);

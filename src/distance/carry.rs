@@ -22,8 +22,9 @@ impl<const D: usize> SignedDistance<D> {
     /// Unless `cells` divides this grid's number of cells.
     pub fn is_carried_by(&self, cells: usize) -> bool {
         assert!(self.grid.cells().is_multiple_of(cells), "{cells} cells are not nested in {}", self.grid.cells());
-        let (seen, whole) = (self.outline_measure(self.grid.cells() / cells), self.outline_measure(1));
-        seen > 0.0 && FACTOR * seen >= whole && seen <= FACTOR * whole
+        let step = self.grid.cells() / cells;
+        let (seen, whole) = (self.outline_measure(step), self.outline_measure(1));
+        self.depth(step) >= LEAST_DEPTH && FACTOR * seen >= whole && seen <= FACTOR * whole
     }
 
     /// Whether this grid holds nodes inside the shape, and enough of them. `whole` is the measure of the true outline in
@@ -34,12 +35,22 @@ impl<const D: usize> SignedDistance<D> {
     /// [`ShapeError::TooSmall`], [`ShapeError::TooThin`].
     pub(super) fn check_resolved(&self, whole: f64) -> Result<(), ShapeError> {
         let cells = self.grid.cells();
-        let deepest = self.values.iter().fold(0.0_f64, |least, &value| least.min(value));
-        if -deepest * (cells as f64) < LEAST_DEPTH {
+        if self.depth(1) < LEAST_DEPTH {
             return Err(ShapeError::TooSmall { cells });
         }
         let share = self.outline_measure(1) / whole;
         if share < LEAST_SHARE { Err(ShapeError::TooThin { share, cells }) } else { Ok(()) }
+    }
+
+    /// How deep in the shape a node of the grid lies that has every `step`-th node, in cells of that grid.
+    fn depth(&self, step: usize) -> f64 {
+        let deepest = self.nodes_of(step).fold(0.0_f64, |least, node| least.min(self.values[node]));
+        -deepest * (self.grid.cells() / step) as f64
+    }
+
+    /// The nodes of the grid that has every `step`-th.
+    fn nodes_of(&self, step: usize) -> impl Iterator<Item = usize> {
+        (0..self.values.len()).filter(move |&node| self.grid.node_index(node).iter().all(|i| i % step == 0))
     }
 
     /// Σ_axis ∫ |n_axis| over the outline, by Cauchy and Crofton: the edges that change sign of the grid that has every
@@ -47,11 +58,8 @@ impl<const D: usize> SignedDistance<D> {
     pub(super) fn outline_measure(&self, step: usize) -> f64 {
         let negative = |node: usize| self.values[node] < 0.0;
         let mut crossed = 0_usize;
-        for node in 0..self.values.len() {
+        for node in self.nodes_of(step) {
             let index = self.grid.node_index(node);
-            if index.iter().any(|i| i % step != 0) {
-                continue;
-            }
             let ahead = (0..D).filter(|&axis| index[axis] < self.grid.cells());
             crossed += ahead.filter(|&axis| negative(node) != negative(node + step * self.grid.stride(axis))).count();
         }

@@ -49,9 +49,10 @@ export const indexFile: FileWords = {
       innerHTML:
         "Ein Strich schließt sich von selbst. Weitere Striche fügen Teile hinzu oder, wenn sie innen liegen, Löcher. Kreuzt sich ein Strich, umschließt er nichts oder verlässt er das Quadrat, fragt die Seite nach. Ziehen Sie die Kurve irgendwo, um sie zu biegen; nehmen Sie den runden Griff, um die ganze Form zu verschieben; mit zwei Fingern verschieben, drehen und skalieren Sie sie. Die zuletzt gedrückte Kurve glättet der Regler. <strong>Kreis</strong> wird aus seiner Mitte aufgezogen, <strong>Vieleck</strong> nimmt Ecke für Ecke, und <strong>Spiegel</strong> ergänzt die gezeichnete Hälfte zum Ganzen. Eine <strong>Nadel</strong> heftet einen Punkt der Referenz an einen Punkt des Ziels, und der Abgleich führt den einen in den anderen. Alles lässt sich rückgängig machen, und die Adresse dieser Seite enthält stets Ihre Formen. Mit <strong>Live</strong> folgt der Abgleich Ihrer Hand.",
     },
+    { innerHTML: "Mit der Tastatur" },
     {
       innerHTML:
-        "Mit der Tastatur, auf einer fokussierten Form: Pfeiltasten verschieben sie (mit der Umschalttaste in kleinen Schritten), <kbd>+</kbd> und <kbd>−</kbd> skalieren, <kbd>[</kbd> und <kbd>]</kbd> drehen, <kbd>Entf</kbd> leert, <kbd>Strg</kbd> <kbd>Z</kbd> macht rückgängig.",
+        "Auf einer fokussierten Form: Pfeiltasten verschieben sie (mit der Umschalttaste in kleinen Schritten), <kbd>+</kbd> und <kbd>−</kbd> skalieren, <kbd>[</kbd> und <kbd>]</kbd> drehen, <kbd>Entf</kbd> leert, <kbd>Strg</kbd> <kbd>Z</kbd> macht rückgängig.",
     },
     {
       innerHTML:

@@ -5,6 +5,7 @@
 
 import katex from "katex";
 import MarkdownIt from "markdown-it";
+import { raised } from "../words/numbers";
 
 const markdown = new MarkdownIt({ html: false, typographer: false });
 
@@ -52,9 +53,25 @@ export function inlineOf(text: string): string {
   return htmlOf(text, () => false).replace(/^<p>|<\/p>$/g, "");
 }
 
+/** A digit, a whole number in braces, or a transpose. */
+const POWER = /\^(?:(?<power>\d)|\{(?<whole>-?\d+)\}|\{\\mathsf T\})/g;
+
+/** Powers as letters: in a browser without a mathematical font superscripts float above the line. */
+function withLetters(tex: string): string {
+  return tex.replace(POWER, (_, power?: string, whole?: string) => {
+    const number = power ?? whole;
+    return `\\text{${number ? raised(Number(number)) : "ᵀ"}}`;
+  });
+}
+
 function mathOf(tex: string, displayMode: boolean, line: number): string {
   try {
-    const rendered = katex.renderToString(tex, { output: "mathml", displayMode, throwOnError: true, strict: "ignore" });
+    const rendered = katex.renderToString(withLetters(tex), {
+      output: "mathml",
+      displayMode,
+      throwOnError: true,
+      strict: "ignore",
+    });
     // What it was written as is of no use to whoever reads it.
     return (
       rendered

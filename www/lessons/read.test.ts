@@ -75,6 +75,13 @@ test("a lesson is read as it is written", () => {
   expect(plain).toMatchObject({ predict: null, task: null, notes: null, frame: "embed=result", holds: [] });
 });
 
+test("powers are letters of the line, and nothing floats above it", () => {
+  const lesson = readLesson(PATH, GOOD.replace("Plain", "$D^2 d_1^2 + (D\\varphi)^{\\mathsf T} h^{-3}$"), isKnown);
+  const [, , { title }] = lesson.steps;
+  for (const power of ["²", "ᵀ", "⁻³"]) expect(title).toContain(`<mtext>${power}</mtext>`);
+  expect(title).not.toMatch(/<msup|<msubsup/);
+});
+
 test("carriage returns, as some editors write them, make no difference", () => {
   expect(readLesson(PATH, GOOD.replaceAll("\n", "\r\n"), isKnown)).toEqual(readLesson(PATH, GOOD, isKnown));
 });

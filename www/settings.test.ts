@@ -4,12 +4,14 @@ import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { settingsDocument } from "../scripts/lib/settings.mjs";
 import { bandwidth, coarsestLevel, complete, FIELDS, finestLevel, parseSetting } from "./settings";
+import { CLEARANCE } from "./shapes/geometry";
 import { SETTINGS, type Setting } from "./wasm/settings.js";
 import { describeSettings, initSync, Registration, type Settings, type Shape } from "./wasm/thinshell.js";
 
 initSync({ module: readFileSync(new URL("./wasm/thinshell_bg.wasm", import.meta.url)) });
 
 const SQUARE: Shape = { kind: "curves", loops: [Float64Array.of(0.3, 0.3, 0.7, 0.3, 0.7, 0.7, 0.3, 0.7)] };
+const WIDE: Shape = { kind: "curves", loops: [Float64Array.of(0.25, 0.3, 0.75, 0.3, 0.75, 0.7, 0.25, 0.7)] };
 const SMALL = { coarsest: 3, finest: 4 } as const;
 
 async function settingsOf(given: object): Promise<Settings> {
@@ -67,7 +69,31 @@ describe("the page", () => {
     expect(finestLevel({})).toBe(solver.finest);
     expect(coarsestLevel({})).toBe(solver.coarsest);
     expect(await settingsOf(complete({}))).toEqual(solver);
-    expect(bandwidth({})).toBe(0.05);
+  });
+
+  test.each([4, 5, 7])(
+    "sees the band as wide as the solver does where none is chosen, finest level %i",
+    async (finest) => {
+      const energies = async (width: number) => {
+        const settings = { ...SMALL, finest, bandwidth: width };
+        const registration = await Registration.create(SQUARE, WIDE, settings);
+        const { energies } = registration.evaluate(registration.deformation());
+        registration.free();
+        return energies;
+      };
+      expect(await energies(0)).toEqual(await energies(bandwidth({ finest })));
+      expect(await energies(0)).not.toEqual(await energies(1.01 * bandwidth({ finest })));
+    },
+  );
+
+  test("keeps shapes as far from the border as the solver does", async () => {
+    const create = (cells: number) => {
+      const [low, high] = [cells / 16, 0.7];
+      const loops = [Float64Array.of(low, 0.3, high, 0.3, high, 0.7, low, 0.7)];
+      return Registration.create({ kind: "curves", loops }, SQUARE, SMALL);
+    };
+    (await create(CLEARANCE)).free();
+    await expect(create(CLEARANCE - 0.01)).rejects.toThrow("border");
   });
 
   test.each(FIELDS)("offers of $name only what the solver takes", async (field) => {

@@ -2,6 +2,7 @@ import { useComputed } from "@preact/signals";
 import { choiceWords, type KeptRun } from "../runs";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
+import { matchOf } from "../view/result";
 import { later } from "../words/later";
 import { adopt } from "./adopt";
 import style from "./earlier.css?inline";
@@ -29,9 +30,7 @@ export function Earlier({ session }: { session: Session }) {
 }
 
 function Entry({ session, run }: { session: Session; run: KeptRun }) {
-  const { status, deformation, curves } = run.frame;
-  const match = { level: status.level, deformation, curves };
-  const scene = { ...run, match, morph: 1, bandwidth: bandwidth(run.settings) };
+  const scene = { ...run, match: matchOf(run.frame), morph: 1, bandwidth: bandwidth(run.settings) };
   const { runs } = session;
   const title = choiceWords(run.settings, {}).join(", ") || later.runs.defaults;
   return (

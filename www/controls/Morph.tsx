@@ -1,5 +1,6 @@
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import type { Session } from "../session";
+import { matchOf } from "../view/result";
 import { en } from "../words/en";
 import { fetched } from "./fetched";
 import { MorphBar } from "./MorphBar";
@@ -31,7 +32,7 @@ function Folds({ session }: { session: Session }) {
   });
   const fold = useComputed(() => {
     const frame = away.value ? session.match.value : null;
-    return frame && foldOf.value?.({ level: frame.status.level, deformation: frame.deformation, curves: frame.curves });
+    return frame && foldOf.value?.(matchOf(frame));
   });
   if (!fold.value) return null;
   const [first, last] = fold.value.map((part) => Math.round(100 * part));

@@ -2,7 +2,7 @@ import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { choiceWords } from "../runs";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
-import type { ResultScene } from "../view/result";
+import { matchOf, type ResultScene } from "../view/result";
 import { missedBy } from "../view/unreached";
 import { later } from "../words/later";
 import { decimals } from "../words/numbers";
@@ -43,7 +43,7 @@ function titleOf(outcome: Outcome | null, other: Outcome | null): string {
 function Panel({ session, outcomes, names, index }: PairProperties & { readonly index: 0 | 1 }) {
   const match = useComputed(() => {
     const outcome = outcomes.value[index];
-    return outcome && matchOf(outcome);
+    return outcome && matchOf(outcome.frame);
   });
   const scene = useComputed<ResultScene>(() => {
     const outcome = outcomes.value[index];
@@ -62,7 +62,7 @@ function Panel({ session, outcomes, names, index }: PairProperties & { readonly 
     Math.max(
       ...outcomes.value.map(
         (outcome) =>
-          (outcome && lazy.value?.views.limitOf(view.value, matchOf(outcome), bandwidth(outcome.settings))) || 0,
+          (outcome && lazy.value?.views.limitOf(view.value, matchOf(outcome.frame), bandwidth(outcome.settings))) || 0,
       ),
       Number.MIN_VALUE,
     ),
@@ -82,10 +82,6 @@ function Panel({ session, outcomes, names, index }: PairProperties & { readonly 
       </div>
     </figure>
   );
-}
-
-function matchOf({ frame: { status, deformation, curves } }: Outcome) {
-  return { level: status.level, deformation, curves };
 }
 
 function Differences({ a, b, names }: { a: Outcome; b: Outcome; names: Names }) {

@@ -2,7 +2,7 @@ import { useComputed, useSignalEffect } from "@preact/signals";
 import { useCallback } from "preact/hooks";
 import type { Session } from "../session";
 import { bandwidth } from "../settings";
-import type { ResultScene } from "../view/result";
+import { matchOf, type ResultScene } from "../view/result";
 import { missedBy } from "../view/unreached";
 import { en } from "../words/en";
 import { resultState, staleness } from "../words/said";
@@ -12,7 +12,7 @@ import { fetchLocal, guess, lazy, limitOf, local, past, probe, view } from "./vi
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */
 export function ResultPanel({ session }: { session: Session }) {
-  const match = useComputed(() => past.value?.match ?? matchOf(session));
+  const match = useComputed(() => past.value?.match ?? (session.match.value && matchOf(session.match.value)));
   // Of the match that is shown, whatever has been chosen since.
   const width = useComputed(() => bandwidth((session.result.value ?? { settings: session.settings.value }).settings));
   const scene = useComputed<ResultScene>(() => ({
@@ -58,11 +58,6 @@ export function ResultPanel({ session }: { session: Session }) {
       <Readout match={match} />
     </div>
   );
-}
-
-function matchOf(session: Session) {
-  const frame = session.match.value;
-  return frame && { level: frame.status.level, deformation: frame.deformation, curves: frame.curves };
 }
 
 function state(session: Session): string {

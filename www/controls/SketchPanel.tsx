@@ -4,7 +4,7 @@ import { isDone, isWorking } from "../phase";
 import { begun, chosen, kit } from "../pins/kit";
 import type { Session, Side } from "../session";
 import { finestLevel } from "../settings";
-import { bounds } from "../shapes/geometry";
+import { bounds, CLEARANCE } from "../shapes/geometry";
 import type { Hand } from "../tools/hand";
 import { curve, kit as further, knot } from "../tools/kit";
 import { hands, tool } from "../tools/tool";
@@ -169,9 +169,9 @@ function markOf(session: Session, side: Side) {
   return near && loop ? { x: loop[2 * near.point], y: loop[2 * near.point + 1] } : null;
 }
 
-/** The solver refuses a shape within two cells of the finest grid from the border: show it before it does. */
+/** The solver refuses a shape this close to the border: show it before it does. */
 function tooClose(session: Session, side: Side): number | null {
-  const limit = 2 / 2 ** finestLevel(session.settings.value);
+  const limit = CLEARANCE / 2 ** finestLevel(session.settings.value);
   const box = bounds(session.shapes.value[side]);
   const distance = box ? Math.min(box.left, box.bottom, 1 - box.right, 1 - box.top) : 1;
   return distance < limit ? limit : null;

@@ -5,6 +5,7 @@ import { type Frame, pixelX, pixelY } from "../view/canvas";
 import { distance, type Place, type Question, questionOf } from "../view/guess";
 import { theme } from "../view/palette";
 import { drawMark } from "../view/probe";
+import { matchOf } from "../view/result";
 import { later } from "../words/later";
 import { decimals } from "../words/numbers";
 import { partAt, WAY_MILLIS } from "./playing";
@@ -19,7 +20,7 @@ let asked = 0;
 /** Asks; the function given back ends it and shows the match. */
 export function ask(session: Session): () => void {
   const frame = session.match.peek();
-  const match = frame && { level: frame.status.level, deformation: frame.deformation, curves: frame.curves };
+  const match = frame && matchOf(frame);
   const question = match && questionOf(match, asked);
   if (!match || !question) return () => {};
   asked += 1;

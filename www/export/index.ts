@@ -68,9 +68,9 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
         "application/json",
       );
     case "csv":
-      return text(csv(matchOf(saving).curves), "text/csv");
+      return text(csv(needed(saving).curves), "text/csv");
     case "video": {
-      matchOf(saving);
+      needed(saving);
       const film = await video(at, square, colours, draw);
       if (film) return named(film.blob, film.extension);
       return {
@@ -79,12 +79,12 @@ export async function saved(saving: Saving, format: Format, look: Look, draw: Dr
       };
     }
     case "gif":
-      matchOf(saving);
+      needed(saving);
       return named((await gif(at, square, colours, draw)).blob, "gif");
   }
 }
 
-function matchOf({ match }: Saving): NonNullable<Saving["match"]> {
+function needed({ match }: Saving): NonNullable<Saving["match"]> {
   if (!match) throw new Error(files.noMatch);
   return match;
 }

@@ -5,8 +5,9 @@
 
 import { pinMarks } from "../pins/draw";
 import type { Loop, Shape } from "../shapes/geometry";
-import { arcLengthParts } from "../view/curve";
+import { arcLengthParts, ticksOf } from "../view/curve";
 import type { Square } from "../view/framing";
+import { type GridLine, gridLines } from "../view/grid";
 import { movedGrid, movedLoops } from "../view/morph";
 import { onCycle, type Theme } from "../view/palette";
 import type { ResultScene } from "../view/result";
@@ -16,11 +17,6 @@ export const UNITS = 1000;
 
 /** The drawing's own width; a line is as wide for it as for a picture of this many units. */
 const WIDTH = 1100;
-
-/** Grid lines a direction, as on the screen. */
-const LINES = 32;
-
-const TICKS = 36;
 
 /** How wide a unit of the paper is in the drawing's. */
 export function thickness({ size }: Square): number {
@@ -95,20 +91,17 @@ function openPath(line: Loop): string {
 }
 
 function gridPath({ match, morph }: ResultScene): string {
-  const cells = match ? 2 ** match.level : LINES;
-  const stride = Math.max(1, cells / LINES);
+  const level = match ? match.level : 5;
+  const cells = 2 ** level;
   const deformation = match && movedGrid(match, morph).deformation;
-  const at = (i: number, j: number) => {
-    if (!deformation) return place(i / cells, j / cells);
-    const node = 2 * (j * (cells + 1) + i);
-    return place(deformation[node], deformation[node + 1]);
-  };
-  const steps = Array.from({ length: cells + 1 }, (_, k) => k);
-  let path = "";
-  for (let line = 0; line <= cells; line += stride) {
-    path += `M${steps.map((k) => at(k, line)).join("L")}M${steps.map((k) => at(line, k)).join("L")}`;
-  }
-  return path;
+  const at = (node: number) =>
+    deformation
+      ? place(deformation[2 * node], deformation[2 * node + 1])
+      : place((node % (cells + 1)) / cells, Math.floor(node / (cells + 1)) / cells);
+  const path = ({ first, step }: GridLine) => Array.from({ length: cells + 1 }, (_, k) => at(first + k * step));
+  return gridLines(level)
+    .map((line) => `M${path(line).join("L")}`)
+    .join("");
 }
 
 /** Circles and lines, no paths: the import takes those for shapes. */
@@ -148,9 +141,7 @@ function coloured(loop: Loop, parts: Float64Array, colours: Theme, width: number
 function ticks(from: Shape, to: Shape, parts: readonly Float64Array[], colours: Theme, width: number): string {
   let out = "";
   from.forEach((loop, l) => {
-    const count = parts[l].length;
-    for (let i = 0; i < count; i += 1) {
-      if (Math.floor(parts[l][i] * TICKS) === Math.floor(parts[l][(i + 1) % count] * TICKS)) continue;
+    for (const i of ticksOf(parts[l])) {
       const end = place(to[l][2 * i], to[l][2 * i + 1]);
       out += `<path stroke="${onCycle(colours.cycle, parts[l][i])}" stroke-width="${round(width)}" d="M${place(loop[2 * i], loop[2 * i + 1])}L${end}"/>`;
     }

@@ -20,7 +20,16 @@ export const SAMPLES = 200;
 /** The part of the box's side that a fitted shape fills; leaves a fifth of the box free on either side. */
 export const FITTED_SIZE = 0.6;
 
-/** Twice the shoelace sum's half: positive when the loop runs counter-clockwise. Units: length². */
+/** Cells of the finest grid that the solver keeps shapes from the border. */
+export const CLEARANCE = 2;
+
+/** The part 0…1 of the way (u, v) at which it comes nearest to (x, y). */
+export function nearestPart(u: number, v: number, x: number, y: number): number {
+  const square = u * u + v * v;
+  return square > 0 ? Math.min(1, Math.max(0, (x * u + y * v) / square)) : 0;
+}
+
+/** Half the shoelace sum: positive when the loop runs counter-clockwise. Units: length². */
 export function signedArea(loop: Loop): number {
   let twice = 0;
   for (let i = 0, j = loop.length - 2; i < loop.length; j = i, i += 2) {

@@ -7,6 +7,7 @@ import { loopFromStroke, SHORTEST_STROKE } from "./edit";
 import {
   about,
   bounds,
+  CLEARANCE,
   centroid,
   type Loop,
   type Point,
@@ -32,8 +33,8 @@ export type Judgement =
   /** `mended` is what the way out makes of it; null where there is none. */
   | { readonly kind: Fault; readonly loop: Loop; readonly mended: Loop | null; readonly size: number };
 
-/** The solver keeps shapes so many cells from the border; a little more, so that a hair's breadth does not matter. */
-const BORDER_CELLS = 2.5;
+/** A little more than the solver asks for, so that a hair's breadth does not matter. */
+const BORDER_CELLS = CLEARANCE + 0.5;
 /** Narrower than this, in cells, nothing is seen of a shape; enlarged it becomes so wide. */
 const LEAST_CELLS = 4;
 const ENLARGED_CELLS = 10;

@@ -1,6 +1,6 @@
 /** Fewer points that tell the same of a closed curve, and more along its edges. */
 
-import type { Loop } from "./geometry";
+import { type Loop, nearestPart } from "./geometry";
 
 type Span = { readonly from: number; readonly to: number; readonly far: number; readonly off: number };
 
@@ -76,8 +76,7 @@ function spanned(loop: Loop, from: number, to: number): Span {
 function fromChord(loop: Loop, k: number, a: number, b: number): number {
   const [x, y] = [loop[2 * k] - loop[2 * a], loop[2 * k + 1] - loop[2 * a + 1]];
   const [u, v] = [loop[2 * b] - loop[2 * a], loop[2 * b + 1] - loop[2 * a + 1]];
-  const square = u * u + v * v;
-  const t = square > 0 ? Math.min(1, Math.max(0, (x * u + y * v) / square)) : 0;
+  const t = nearestPart(u, v, x, y);
   return Math.hypot(x - t * u, y - t * v);
 }
 

@@ -4,7 +4,15 @@
  * straight and a bent one bent.
  */
 
-import { type Loop, type Point, perimeter, SAMPLES, similarityTaking, transformed } from "../shapes/geometry";
+import {
+  type Loop,
+  nearestPart,
+  type Point,
+  perimeter,
+  SAMPLES,
+  similarityTaking,
+  transformed,
+} from "../shapes/geometry";
 import { divided, tellingPoints } from "../shapes/thin";
 
 export type Knot = {
@@ -71,8 +79,7 @@ export function nearestPlace(knots: Knots, at: Point): Place {
     const way = [from.x, from.y, ...between(knots, after), to.x, to.y];
     for (let k = 0; k + 3 < way.length; k += 2) {
       const [x, y, dx, dy] = [way[k], way[k + 1], way[k + 2] - way[k], way[k + 3] - way[k + 1]];
-      const square = dx * dx + dy * dy;
-      const part = square > 0 ? Math.min(1, Math.max(0, ((at.x - x) * dx + (at.y - y) * dy) / square)) : 0;
+      const part = nearestPart(dx, dy, at.x - x, at.y - y);
       const point = { x: x + part * dx, y: y + part * dy };
       const distance = Math.hypot(at.x - point.x, at.y - point.y);
       if (distance < best.distance) best = { after, passed: k / 2, point, distance };

@@ -1,6 +1,6 @@
 /** What can be measured along a matched curve: stretch, curvature, partners, distances. Plain arrays, domain units. */
 
-type Loop = Float64Array;
+import { type Loop, nearestPart } from "../shapes/geometry";
 
 /** A closed polyline's arc length at every point, and its whole length last. */
 function lengths(loop: Loop): Float64Array {
@@ -124,8 +124,7 @@ export function nearest(loops: readonly Loop[], x: number, y: number): Nearest |
       const v = loop[i + 1] - loop[j + 1];
       const a = x - loop[j];
       const b = y - loop[j + 1];
-      const square = u * u + v * v;
-      const t = square > 0 ? Math.min(1, Math.max(0, (a * u + b * v) / square)) : 0;
+      const t = nearestPart(u, v, a, b);
       const distance = Math.hypot(a - t * u, b - t * v);
       if (!best || distance < best.distance) {
         best = { loop: l, point: (t < 0.5 ? j : i) / 2, edge: j / 2, part: t, distance };
@@ -145,8 +144,7 @@ export function signedDistance(loops: readonly Loop[], x: number, y: number): nu
       const v = loop[i + 1] - loop[j + 1];
       const a = x - loop[j];
       const b = y - loop[j + 1];
-      const length = u * u + v * v;
-      const t = length > 0 ? Math.min(1, Math.max(0, (a * u + b * v) / length)) : 0;
+      const t = nearestPart(u, v, a, b);
       const p = a - t * u;
       const q = b - t * v;
       if (p * p + q * q < square) square = p * p + q * q;

@@ -46,6 +46,19 @@ export function arcLengthParts(reference: readonly Float64Array[]): Float64Array
   return parts;
 }
 
+/** Lines from points of the reference to their partners. */
+const TICKS = 36;
+
+/** Where they stand: at each point from which the arc length passes a multiple, whichever way the points are listed. */
+export function ticksOf(parts: Float64Array): readonly number[] {
+  const points: number[] = [];
+  for (let i = 0; i < parts.length; i += 1) {
+    const next = parts[(i + 1) % parts.length];
+    if (Math.floor(parts[i] * TICKS) !== Math.floor(next * TICKS)) points.push(i);
+  }
+  return points;
+}
+
 /** Lengths that differ by no more than this part are taken for equal: a curve and what a grid makes of it differ so. */
 const EQUAL = 0.03;
 

@@ -4,7 +4,8 @@
  */
 
 import { type Frame, pixelX, pixelY, trace } from "./canvas";
-import { arcLengthParts, type ColouredLoop, strokeColoured } from "./curve";
+import { arcLengthParts, type ColouredLoop, strokeColoured, ticksOf } from "./curve";
+import { gridLines } from "./grid";
 import { movedGrid, movedLoops } from "./morph";
 import { onCycle, type Theme } from "./palette";
 
@@ -21,6 +22,15 @@ export type Match = {
   };
 };
 
+/** The match of a frame of the solver. */
+export function matchOf({
+  status,
+  deformation,
+  curves,
+}: Omit<Match, "level"> & { status: Pick<Match, "level"> }): Match {
+  return { level: status.level, deformation, curves };
+}
+
 type Point = { readonly x: number; readonly y: number };
 
 export type ResultScene = {
@@ -36,12 +46,6 @@ export type ResultScene = {
   /** Stretches of the target that the match has not come to, open polylines. */
   readonly missed?: readonly Float64Array[];
 };
-
-/** Grid lines a direction; finer grids show every second, fourth, … line. */
-const LINES = 32;
-
-/** Lines from points of the reference to their partners. */
-const TICKS = 36;
 
 export function drawResult(context: CanvasRenderingContext2D, frame: Frame, colours: Theme, scene: ResultScene): void {
   const { ratio } = frame;
@@ -113,23 +117,19 @@ function drawGrid(
 ): void {
   const cells = 2 ** level;
   const side = cells + 1;
-  const stride = Math.max(1, cells / LINES);
+  const lines = gridLines(level);
   context.strokeStyle = colours.grid;
   context.lineJoin = "round";
   for (const border of [false, true]) {
     context.beginPath();
-    for (let line = 0; line <= cells; line += stride) {
-      if ((line === 0 || line === cells) !== border) continue;
-      for (const along of [0, 1]) {
-        for (let k = 0; k <= cells; k += 1) {
-          const i = along === 0 ? k : line;
-          const j = along === 0 ? line : k;
-          const node = 2 * (j * side + i);
-          const x = deformation ? deformation[node] : i / cells;
-          const y = deformation ? deformation[node + 1] : j / cells;
-          if (k === 0) context.moveTo(pixelX(frame, x), pixelY(frame, y));
-          else context.lineTo(pixelX(frame, x), pixelY(frame, y));
-        }
+    for (const { first, step, isBorder } of lines) {
+      if (isBorder !== border) continue;
+      for (let k = 0; k <= cells; k += 1) {
+        const node = first + k * step;
+        const x = deformation ? deformation[2 * node] : (node % side) / cells;
+        const y = deformation ? deformation[2 * node + 1] : Math.floor(node / side) / cells;
+        if (k === 0) context.moveTo(pixelX(frame, x), pixelY(frame, y));
+        else context.lineTo(pixelX(frame, x), pixelY(frame, y));
       }
     }
     context.lineWidth = (border ? 1.5 : 0.9) * frame.ratio;
@@ -165,11 +165,7 @@ function drawTicks(
   context.lineWidth = frame.ratio;
   match.curves.reference.forEach((from, l) => {
     const to = moved[l];
-    const count = parts[l].length;
-    for (let i = 0; i < count; i += 1) {
-      // A tick stands where the arc length passes a multiple of 1 / TICKS, whichever way the points are listed.
-      const next = (i + 1) % count;
-      if (Math.floor(parts[l][i] * TICKS) === Math.floor(parts[l][next] * TICKS)) continue;
+    for (const i of ticksOf(parts[l])) {
       context.beginPath();
       context.strokeStyle = onCycle(colours.cycle, parts[l][i]);
       context.moveTo(pixelX(frame, from[2 * i]), pixelY(frame, from[2 * i + 1]));

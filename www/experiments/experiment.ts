@@ -64,12 +64,20 @@ export type SolidExperiment = Study & {
 };
 
 export function text(...sentences: string[]): Block {
-  return { kind: "text", text: sentences.join(" ") };
+  return { kind: "text", text: withMinus(sentences.join(" ")) };
 }
 
 export function table(head: readonly string[], rows: readonly (readonly string[])[]): Block {
-  return { kind: "table", head, rows };
+  return { kind: "table", head, rows: rows.map((row) => row.map(withMinus)) };
 }
+
+/** A true minus before every number that has one. */
+export function withMinus(words: string): string {
+  return words.replace(/(?<=^|[\s(])-(?=\d)/g, "−");
+}
+
+/** What stands under a letter, as in α_bend. */
+export const INDEX = /(?<=\p{L})_(\p{L}+)/gu;
 
 /** Nodes a side on a level, as tables name it. */
 export function nodes(level: number): string {

@@ -5,7 +5,7 @@ import { describe, expect, it } from "vitest";
 import { decode } from "../link/text";
 import { initSync, Registration } from "../wasm/thinshell.js";
 import { crumple } from "./crumpling";
-import type { Context } from "./experiment";
+import { type Context, table, text } from "./experiment";
 import { EXPERIMENTS } from "./index";
 import { cascade, singleLevel } from "./levels";
 import { linkTo } from "./link";
@@ -16,12 +16,32 @@ import { matchPolygons, readPolygons } from "./polygons";
 import { readDocument } from "./precomputed";
 import { rotate, saddleWords } from "./rotation";
 import { SHELL, strain, VOLUME, VOLUME_CORNERS } from "./strain";
-import { windowOf } from "./svg";
+import { escaped, windowOf } from "./svg";
 
 initSync({ module: readFileSync(new URL("../wasm/thinshell_bg.wasm", import.meta.url)) });
 
 const context: Context = { solver: Registration, millis: () => performance.now(), progress: () => {} };
 const MINUTE = 60_000;
+
+describe("numbers and letters", () => {
+  it("have a true minus, in what runs write, in figures and in what is kept of them", () => {
+    expect(text("Between", "-0.3 and (-2) of 2D-like, 3-4 parts.")).toMatchObject({
+      text: "Between −0.3 and (−2) of 2D-like, 3-4 parts.",
+    });
+    expect(table(["a"], [["-0.1 %", "det -3"]])).toMatchObject({ rows: [["−0.1 %", "det −3"]] });
+    expect(escaped("excess -0.1 %")).toBe("excess −0.1 %");
+    for (const name of ["paper", "surfaces"]) {
+      const kept = [...readDocument(readFileSync(new URL(`../../docs/${name}.md`, import.meta.url), "utf8")).values()];
+      expect(JSON.stringify(kept)).not.toMatch(/[\s("]-\d/);
+    }
+  });
+
+  it("have their indices below the line", () => {
+    expect(escaped("α_bend = 0 < 1")).toBe(
+      'α<tspan dy="3" font-size="9">bend</tspan><tspan dy="-3"> = 0 &lt; 1</tspan>',
+    );
+  });
+});
 
 describe("Table 1", () => {
   it("the shell's deviation falls by 1.8 to 2.2 per level from 65² on", { timeout: MINUTE }, async () => {

@@ -11,7 +11,7 @@ import solidSolverUrl from "../wasm-solid/thinshell_bg.wasm?url";
 import { experiments as say } from "../words/experiments";
 import { page } from "../words/language";
 import { written } from "../words/numbers";
-import { type Block, type Study, seconds } from "./experiment";
+import { type Block, INDEX, type Study, seconds } from "./experiment";
 import { EXPERIMENTS } from "./index";
 import { linkTo } from "./link";
 import { readDocument } from "./precomputed";
@@ -23,8 +23,7 @@ import ExperimentWorker from "./worker?worker&inline";
 import "../style.css";
 import "./page.css";
 
-/** The outcome that is kept with the sources, and its figures. */
-/** Under the titles of the sources. */
+/** The outcome that is kept with the sources, and its figures, under the titles of the sources. */
 const sections = new Map([...readDocument(paper), ...readDocument(surfaces)]);
 const STUDIES: readonly Study[] = [...EXPERIMENTS, ...SOLID_EXPERIMENTS];
 const BEFOREHAND = new Map(STUDIES.map(({ id, title }) => [id, sections.get(title) ?? []]));
@@ -82,10 +81,10 @@ function Section({ study, link, engine, runs }: Shown & { runs: Runs }) {
     <section id={id} class="experiment" aria-labelledby={`${id}-title`}>
       <h2 id={`${id}-title`}>{title}</h2>
       <p>
-        <strong>{say.paper}</strong> {paper}
+        <strong>{say.paper}</strong> {typeset(paper)}
       </p>
       <p>
-        <strong>{say.here}</strong> {setup}
+        <strong>{say.here}</strong> {typeset(setup)}
       </p>
       <div class="group">
         <a class="as-button" href={`./index.html#${link()}`} aria-label={say.of(say.open, title)}>
@@ -169,7 +168,7 @@ function State({ run, title }: { run: Run; title: string }) {
 
 /** `name` tells tables apart. */
 function Piece({ block, name }: { block: Block; name: string }) {
-  if (block.kind === "text") return <p>{block.text}</p>;
+  if (block.kind === "text") return <p>{typeset(block.text)}</p>;
   if (block.kind === "figure") {
     const drawn = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
     const address = block.svg ? drawn : FIGURES[`../../docs/figures/${block.name}.svg`];
@@ -178,7 +177,7 @@ function Piece({ block, name }: { block: Block; name: string }) {
         {/* An image, so that the figure's style sheet stays its own. */}
         <img src={address} alt={block.caption} />
         <figcaption>
-          {block.caption}{" "}
+          {typeset(block.caption)}{" "}
           <a href={address} download={`${block.name}.svg`}>
             {say.saveSvg}
           </a>
@@ -197,7 +196,7 @@ function Piece({ block, name }: { block: Block; name: string }) {
                 <td key={`${i}-`} />
               ) : (
                 <th key={`${i}-${cell}`} scope="col">
-                  {cell}
+                  {typeset(cell)}
                 </th>
               ),
             )}
@@ -209,10 +208,10 @@ function Piece({ block, name }: { block: Block; name: string }) {
               {row.map((cell, i) =>
                 i === 0 ? (
                   <th key={block.head[i]} scope="row">
-                    {cell}
+                    {typeset(cell)}
                   </th>
                 ) : (
-                  <td key={`${i}-${block.head[i]}`}>{cell}</td>
+                  <td key={`${i}-${block.head[i]}`}>{typeset(cell)}</td>
                 ),
               )}
             </tr>
@@ -221,6 +220,11 @@ function Piece({ block, name }: { block: Block; name: string }) {
       </table>
     </section>
   );
+}
+
+/** Indices as such: every second part of what is split at them. */
+function typeset(words: string) {
+  return words.split(INDEX).map((part, i) => (i % 2 === 0 ? part : <sub key={`${i}-${part}`}>{part}</sub>));
 }
 
 const root = document.getElementById("experiments");

@@ -3,7 +3,9 @@
  * Every figure brings its paper along and follows the reader's light or dark scheme.
  */
 
+import { gridLines } from "../view/grid";
 import { plain, power, withPower } from "../words/numbers";
+import { INDEX, withMinus } from "./experiment";
 
 export type Loops = readonly Float64Array[];
 
@@ -33,7 +35,7 @@ export type Panel = {
   readonly level?: number;
   /** φ at the nodes of `level`: drawn as a deformed grid. */
   readonly deformation?: Float64Array;
-  /** Grid lines a direction, a power of two; 32 unless given. */
+  /** Grid lines a direction, a power of two; as many as in the page unless given. */
   readonly lines?: number;
   readonly reference?: Loops;
   readonly template?: Loops;
@@ -100,7 +102,7 @@ function onePanel(panel: Panel, size: number, { left, bottom, side }: Window): s
     // An svg of its own cuts off what the natural boundary lets out of the box.
     `<svg y="${HEAD}" width="${size}" height="${size}">`,
     level !== undefined && deformation
-      ? `<path class="grid" d="${grid(level, deformation, panel.lines ?? 32, place)}"/>`
+      ? `<path class="grid" d="${grid(level, deformation, panel.lines, place)}"/>`
       : "",
     closed("template", panel.template),
     closed("reference", panel.reference),
@@ -147,21 +149,19 @@ function outline(loop: Float64Array, place: Place): string {
 /** Pieces of every grid line shown. */
 const PIECES = 32;
 
-function grid(level: number, deformation: Float64Array, lines: number, place: Place): string {
+function grid(level: number, deformation: Float64Array, lines: number | undefined, place: Place): string {
   const cells = 2 ** level;
-  const between = Math.max(1, cells / lines);
   const stride = Math.max(1, cells / PIECES);
-  let path = "";
-  for (let line = 0; line <= cells; line += between)
-    for (const along of [0, 1]) {
+  return gridLines(level, lines)
+    .map(({ first, step }) => {
       const points = [];
       for (let k = 0; k <= cells; k += stride) {
-        const node = 2 * (along === 0 ? line * (cells + 1) + k : k * (cells + 1) + line);
+        const node = 2 * (first + k * step);
         points.push(place(deformation[node], deformation[node + 1]));
       }
-      path += polyline(points);
-    }
-  return path;
+      return polyline(points);
+    })
+    .join("");
 }
 
 function ticks({ reference = [], matched = [] }: Panel, place: Place): string {
@@ -285,6 +285,12 @@ function tenth(value: number): number {
   return Math.round(10 * value) / 10;
 }
 
-function escaped(words: string): string {
-  return words.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
+/** As text of a drawing: true minus signs, and indices below the line. */
+export function escaped(words: string): string {
+  const safe = withMinus(words).replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
+  const [first, ...more] = safe.split(INDEX);
+  const shifted = more.map((part, i) =>
+    i % 2 === 0 ? `<tspan dy="3" font-size="9">${part}</tspan>` : part && `<tspan dy="-3">${part}</tspan>`,
+  );
+  return [first, ...shifted].join("");
 }

@@ -43,6 +43,17 @@ describe("numbers and letters", () => {
   });
 });
 
+describe("what is kept", () => {
+  it("is of one run: the figures' numbers are the tables'", () => {
+    const kept = (path: string) => readFileSync(new URL(`../../docs/${path}`, import.meta.url), "utf8");
+    const paper = kept("paper.md");
+    const notes = (figure: string, note: RegExp) => [...kept(`figures/${figure}.svg`).matchAll(note)].map(([, n]) => n);
+    const found = [...notes("crumpling", />excess ([^<]+)</g), ...notes("rotation", />found ([^<]+)</g)];
+    expect(found.length).toBeGreaterThan(8);
+    for (const number of found) expect(paper).toMatch(new RegExp(`\\| ${number.replace(".", "\\.")} [(|]`));
+  });
+});
+
 describe("Table 1", () => {
   it("the shell's deviation falls by 1.8 to 2.2 per level from 65² on", { timeout: MINUTE }, async () => {
     const rows = await strain(context, SHELL, 8);

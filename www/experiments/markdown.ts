@@ -14,8 +14,8 @@ the plane where they are about surfaces.
 This file and its figures are written by \`npm run reproduce\`, every number in them by that run. The page
 \`experiments.html\` computes the same live, from the same source (\`www/experiments\`). Lengths are in units of the box
 [0,1]²; n² means n nodes a side; a cell is the spacing of the grid; mismatch is |d₂(φ)| along the reference. Times are
-wall-clock times of one thread of WebAssembly in Node on the machine that wrote this file, the rest does not depend on
-the machine. “The paper's settings”: from the identity, α_bend = 1, ξ = 10⁻³, eq. (2) as it stands and no H¹ residual
+wall-clock times of one thread of WebAssembly in Node on the machine that wrote this file, busy with other work as it was;
+the rest does not depend on the machine. “The paper's settings”: from the identity, α_bend = 1, ξ = 10⁻³, eq. (2) as it stands and no H¹ residual
 (\`www/experiments/paper.ts\`); what is not named has its default (\`docs/settings.md\`).`;
 
 /** … and with surfaces. */

@@ -85,7 +85,7 @@ export const turnExperiment: SolidExperiment = {
             },
             ...(await Promise.all(
               shown.map(async ({ name, turned }) => ({
-                title: name.replace(/, (α_bend = \d|weight )/, ", "),
+                title: name.replace(/, α_bend = \d$/, "").replace(", weight", ","),
                 note: `found ${turned.found.toFixed(2)}°`,
                 picture: await picture({ positions: turned.end.matched, indices, places: positions }, 200, pose),
               })),

@@ -76,7 +76,7 @@ export const unduloidExperiment: SolidExperiment = {
             { title: "Reference", picture: await picture({ positions, indices, places: positions }, 200, pose) },
             ...(await Promise.all(
               last.map(async ({ name, shifted }) => ({
-                title: name.replace(/, (α_bend = \d|weight )/, ", "),
+                title: name.replace(/, α_bend = \d$/, "").replace(", weight", ","),
                 note: `${Math.round(100 * shifted.found)} % of the shift`,
                 picture: await picture({ positions: shifted.end.matched, indices, places: positions }, 200, pose),
               })),

@@ -72,7 +72,7 @@ test("a term that is left out at the result is matched without at once", () => {
   if (!BENDING) throw new Error("bending is a setting of the page");
   session.start();
   puppet.frame(true);
-  session.tryOut(BENDING, 0);
+  session.choices.tryOut(BENDING, 0);
   expect(puppet.starts.at(-1)).toMatchObject({ settings: { bending: 0 } });
 });
 
@@ -81,7 +81,7 @@ test("a finished run is kept, and shown again with its own shapes and settings",
   if (!BENDING) throw new Error("bending is a setting of the page");
   session.start();
   puppet.frame(true);
-  session.tryOut(BENDING, 0);
+  session.choices.tryOut(BENDING, 0);
   puppet.frame(true);
   const [second, first] = session.runs.list.value;
   expect([first.settings.bending, second.settings.bending]).toEqual([undefined, 0]);
@@ -108,9 +108,9 @@ test("a setting is one step to undo, and the match that was made with it fits ag
   if (!BENDING) throw new Error("bending is a setting of the page");
   session.start();
   puppet.frame(true);
-  session.previewSetting(BENDING, 2, 0);
-  session.previewSetting(BENDING, 1, 0);
-  session.changeSetting(BENDING, 1);
+  session.choices.preview(BENDING, 2, 0);
+  session.choices.preview(BENDING, 1, 0);
+  session.choices.change(BENDING, 1);
   expect(session.stale.value).toBe(true);
   session.undo();
   expect([session.settings.value, session.stale.value, session.canUndo.value]).toEqual([{ finest: 5 }, false, false]);
@@ -121,8 +121,8 @@ test("a setting is one step to undo, and the match that was made with it fits ag
 test("the same value chosen again is no step", () => {
   const { session } = stage();
   if (!BENDING) throw new Error("bending is a setting of the page");
-  session.changeSetting(BENDING, BENDING.initial);
-  session.resetSettings();
+  session.choices.change(BENDING, BENDING.initial);
+  session.choices.reset();
   expect(session.settings.value).toEqual({});
   session.undo();
   expect([session.settings.value, session.canUndo.value]).toEqual([{ finest: 5 }, false]);

@@ -2,20 +2,23 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import type { Engine } from "./engine";
-import { addressOf, linkIn, type Opened, reason } from "./link/open";
-import { encode, type Saved } from "./link/text";
+import { linkIn, type Opened, reason } from "./link/open";
+import { encode } from "./link/text";
 import type { Memory } from "./memory/memory";
 import { fetchKit, kit } from "./pins/kit";
 import type { MatchRecord } from "./record";
 import { type Result, Run } from "./run";
 import { Runs } from "./runs";
-import { Edits, edited, type Side, type Step, sameShapes, stepOf } from "./session/edits";
+import { Choices } from "./session/choices";
+import { changeOf, Edits, edited, type Side, type Step, sameShapes, stepOf } from "./session/edits";
+import { keepRuns } from "./session/keeping";
 import { Live } from "./session/live";
 import type { Looks } from "./session/looks";
 import { inspectChanges } from "./session/narrow";
+import type { Question } from "./session/question";
 import { rememberChanges } from "./session/remembering";
-import { type Chosen, FIELDS, type SettingField, sameSettings, withSetting } from "./settings";
-import { fitted, type Loop, type Shape } from "./shapes/geometry";
+import { Sharing } from "./session/sharing";
+import { fitted, type Shape } from "./shapes/geometry";
 import type { Pin, Shapes } from "./shapes/pins";
 import type { Preset } from "./shapes/presets";
 import { links } from "./words/links";
@@ -23,24 +26,18 @@ import { memory as words } from "./words/memory";
 
 export type { Side } from "./session/edits";
 
-/** What is to be decided before a stroke becomes a shape. */
-export type Question = {
-  readonly side: Side;
-  /** What has been drawn. */
-  readonly loop: Loop;
-  readonly words: string;
-  readonly ways: readonly { readonly label: string; readonly go: () => void }[];
-};
-
 export class Session {
   private readonly edits: Edits;
   private readonly run: Run;
   private readonly following: Live;
+  private readonly sharing: Sharing;
 
   readonly problem = signal<string | null>(null);
   /** What stays true whatever is done next, until it has been read. */
   readonly notice = signal<string | null>(null);
   readonly question = signal<Question | null>(null);
+  /** What the settings are chosen to be. */
+  readonly choices: Choices;
   /** 0 shows the identity, 1 the match. */
   readonly morph = signal(1);
 
@@ -48,104 +45,91 @@ export class Session {
   readonly runs = new Runs();
 
   readonly preset;
+  /** As they are seen, under the hand too. */
+  readonly shapes: Edits["shapes"];
+  readonly settings: Edits["settings"];
+  readonly canUndo: Edits["canUndo"];
+  readonly canRedo: Edits["canRedo"];
+  /** Whether the match follows the hand. */
+  readonly live: Live["on"];
+  readonly phase: Run["phase"];
+  readonly loaded: Run["loaded"];
+  readonly match: Run["match"];
+  /** The match that is shown, with the shapes and settings that it was computed from. */
+  readonly result: Run["result"];
+  /** What was other when the match that is shown was computed. */
+  readonly outdated: Run["outdated"];
+  /** Whether the match that is shown belongs to other settings or pins than the present ones. */
+  readonly stale: Run["stale"];
+  readonly fresh: Run["fresh"];
+  readonly inspection: Run["inspection"];
+  readonly energies: Run["energies"];
 
   constructor(
     readonly engine: Engine,
     opened: Opened,
-    private readonly looks: Looks,
+    looks: Looks,
     readonly memory: Memory,
   ) {
     const { saved, problem } = opened;
     this.edits = new Edits(stepOf(saved, saved.settings, saved.preset));
+    const { edits } = this;
+    this.shapes = edits.shapes;
+    this.settings = edits.settings;
+    this.canUndo = edits.canUndo;
+    this.canRedo = edits.canRedo;
     this.problem.value = problem;
-    this.preset = computed(() => this.edits.present.preset);
+    this.preset = computed(() => edits.present.preset);
     this.run = new Run(engine, {
       shapes: this.shapes,
       settings: this.settings,
-      followsHand: () => this.live.value && this.edits.moves,
+      followsHand: () => this.live.value && edits.moves,
       say: (problem) => {
         this.problem.value = problem;
       },
     });
-    this.following = new Live(this.run, this.shapes, this.problem);
+    const { run } = this;
+    this.phase = run.phase;
+    this.loaded = run.loaded;
+    this.match = run.match;
+    this.result = run.result;
+    this.outdated = run.outdated;
+    this.stale = run.stale;
+    this.fresh = run.fresh;
+    this.inspection = run.inspection;
+    this.energies = run.energies;
+    this.following = new Live(run, this.shapes, this.problem);
+    const { following } = this;
+    this.live = following.on;
+    this.choices = new Choices(edits, {
+      get isEmpty() {
+        return following.empty;
+      },
+      commit: (step) => this.commit(step),
+      preview: (step, at) => this.preview(step, at),
+      restored: () => following.changed("settings"),
+      match: () => {
+        if (!this.live.value) this.start();
+      },
+    });
+    this.sharing = new Sharing(looks, this.morph, this.problem);
     const text = computed(() => this.link());
     rememberChanges(text, opened.unwritten ? null : encode(saved), (now) => memory.remember(now));
     memory.onFailure = () => {
       this.notice.value = words.failed;
     };
-    this.look(saved);
+    this.sharing.look(saved);
     inspectChanges(
-      computed(() => this.edits.present),
-      this.run,
+      computed(() => edits.present),
+      run,
     );
-    this.keepRuns();
+    keepRuns(run, this.live, this.runs);
     effect(() => {
       if (this.shapes.value.pins.length === 0 || kit.peek()) return;
       fetchKit().catch((error: Error) => {
         this.problem.value = error.message;
       });
     });
-  }
-
-  /** As they are seen, under the hand too. */
-  get shapes() {
-    return this.edits.shapes;
-  }
-
-  get settings() {
-    return this.edits.settings;
-  }
-
-  get canUndo() {
-    return this.edits.canUndo;
-  }
-
-  get canRedo() {
-    return this.edits.canRedo;
-  }
-
-  /** Whether the match follows the hand. */
-  get live() {
-    return this.following.on;
-  }
-
-  get phase() {
-    return this.run.phase;
-  }
-
-  get loaded() {
-    return this.run.loaded;
-  }
-
-  get match() {
-    return this.run.match;
-  }
-
-  /** The match that is shown, with the shapes and settings that it was computed from. */
-  get result() {
-    return this.run.result;
-  }
-
-  /** What was other when the match that is shown was computed. */
-  get outdated() {
-    return this.run.outdated;
-  }
-
-  /** Whether the match that is shown belongs to other settings or pins than the present ones. */
-  get stale() {
-    return this.run.stale;
-  }
-
-  get fresh() {
-    return this.run.fresh;
-  }
-
-  get inspection() {
-    return this.run.inspection;
-  }
-
-  get energies() {
-    return this.run.energies;
   }
 
   isExample(side: Side): boolean {
@@ -175,11 +159,6 @@ export class Session {
   /** The pins while the hand moves one. */
   previewPins(pins: readonly Pin[], at: number): void {
     this.preview({ ...this.edits.present, pins }, at);
-  }
-
-  /** The setting while its slider is still moving. */
-  previewSetting(field: SettingField, value: number, at: number): void {
-    this.preview(this.withSetting(field, value), at);
   }
 
   /** Takes back what was previewed. */
@@ -232,7 +211,7 @@ export class Session {
       const link = linkIn(hash);
       if (!link) return;
       this.commit(stepOf(link.saved, link.saved.settings, link.saved.preset));
-      this.look(link.saved);
+      this.sharing.look(link.saved);
       if (!link.later) this.glance();
     } catch (error) {
       this.problem.value = links.kept(reason(error));
@@ -258,28 +237,6 @@ export class Session {
     else if (result.settings !== present.settings) this.commit({ ...present, settings: result.settings });
     this.morph.value = 1;
     this.run.restore(result.frame);
-  }
-
-  /** One step to undo, unless it is what it was. */
-  changeSetting(field: SettingField, value: number | string | boolean): void {
-    this.choose(this.withSetting(field, value));
-  }
-
-  /** Chooses a value and matches with it. */
-  tryOut(field: SettingField, value: number): void {
-    this.changeSetting(field, value);
-    if (!this.live.value && !this.following.empty) this.start();
-  }
-
-  /** Takes a grid of this level for the finest and matches on it. */
-  matchOn(level: number): void {
-    const finest = FIELDS.find((field) => field.name === "finest");
-    if (finest) this.changeSetting(finest, level);
-    if (!this.live.value) this.start();
-  }
-
-  resetSettings(): void {
-    this.choose({ ...this.edits.present, settings: {} });
   }
 
   setLive(on: boolean): void {
@@ -315,32 +272,17 @@ export class Session {
 
   /** What brings back everything that is on the page now. */
   link(): string {
-    return encode({ ...this.edits.present, view: this.looks.view.value, morph: this.morph.value });
+    return this.sharing.link(this.edits.present);
   }
 
   /** The same as an address of this page. */
   address(): string {
-    const url = new URL(addressOf(this.link()));
-    // Whoever opens it reads it in a language of theirs.
-    url.searchParams.delete("lang");
-    return url.href;
+    return this.sharing.address(this.edits.present);
   }
 
   /** To be called when the match has been drawn. */
   drawn(): void {
     this.run.drawn(this.match.value);
-  }
-
-  private look({ view, morph }: Pick<Saved, "view" | "morph">): void {
-    this.morph.value = morph;
-    if (view === this.looks.view.peek()) return;
-    this.looks.choose(view).catch((error) => {
-      this.problem.value = reason(error);
-    });
-  }
-
-  private withSetting(field: SettingField, value: number | string | boolean): Step {
-    return { ...this.edits.present, settings: withSetting(this.edits.present.settings, field, value) };
   }
 
   private preview(step: Step, at: number): void {
@@ -357,14 +299,6 @@ export class Session {
     });
   }
 
-  private choose(step: Step): void {
-    if (!sameSettings(step.settings, this.edits.present.settings)) this.commit(step);
-    else if (this.edits.moves) {
-      this.edits.restore();
-      this.following.changed("settings");
-    }
-  }
-
   /** Goes to another step, if there is one. */
   private travel(go: () => boolean): void {
     const before = this.edits.present;
@@ -373,21 +307,4 @@ export class Session {
     this.memory.keep(this.link());
     this.following.changed(changeOf(this.edits.present, before));
   }
-
-  /** What only follows the hand is no run to come back to. */
-  private keepRuns(): void {
-    effect(() => {
-      const { result, stale, phase } = this.run;
-      if (phase.value === "matched" && result.value && !stale.value && !this.live.value) this.runs.add(result.value);
-    });
-  }
-}
-
-function changeOf(now: Step, before: Step): "shapes" | "settings" {
-  return sameShapes(now, before) ? "settings" : "shapes";
-}
-
-/** The setting fields whose value is not the default. */
-export function changedFields(settings: Chosen): readonly SettingField[] {
-  return FIELDS.filter((field) => settings[field.name] !== undefined);
 }

@@ -81,6 +81,11 @@ export function withSetting(chosen: Chosen, field: SettingField, value: number |
   return value === field.initial ? others : { ...others, [field.name]: value };
 }
 
+/** The fields whose value is not the default. */
+export function changedFields(chosen: Chosen): readonly SettingField[] {
+  return FIELDS.filter((field) => chosen[field.name] !== undefined);
+}
+
 /** Every setting of the page by value: what an update of a run needs, where a field left out keeps its last value. */
 export function complete(chosen: Chosen): Chosen {
   return Object.fromEntries(FIELDS.map(({ name, initial }) => [name, chosen[name] ?? initial]));

@@ -1,5 +1,5 @@
-import { changedFields, type Session } from "../session";
-import { bandwidth, FIELDS, type SettingField } from "../settings";
+import type { Session } from "../session";
+import { bandwidth, changedFields, FIELDS, type SettingField } from "../settings";
 import { helps } from "../words/helps";
 import { later } from "../words/later";
 import { decimals } from "../words/numbers";
@@ -45,7 +45,7 @@ export function SettingsPanel({ session }: { session: Session }) {
           ))}
         </details>
       </div>
-      <button type="button" disabled={changed === 0} onClick={() => session.resetSettings()}>
+      <button type="button" disabled={changed === 0} onClick={() => session.choices.reset()}>
         {later.settings.reset}
       </button>
     </>
@@ -62,8 +62,8 @@ export function Setting({ session, field }: { session: Session; field: SettingFi
       field={field}
       value={value}
       help={`${helps[field.name] ?? ""}${isAutomatic ? ` ${automatic(chosenBand(session))}` : ""}`}
-      change={(next) => session.changeSetting(field, next)}
-      preview={(next, at) => field.kind === "number" && session.previewSetting(field, next, at)}
+      change={(next) => session.choices.change(field, next)}
+      preview={(next, at) => field.kind === "number" && session.choices.preview(field, next, at)}
     />
   );
 }

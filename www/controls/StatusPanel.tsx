@@ -76,7 +76,7 @@ function Resolution({ session }: { session: Session }) {
     <p class="resolution">
       {en.status.unresolved(inspection)}
       {level !== null && (
-        <button type="button" onClick={() => session.matchOn(level)}>
+        <button type="button" onClick={() => session.choices.matchOn(level)}>
           {en.actions.matchOn(gridName(level))}
         </button>
       )}

@@ -71,7 +71,7 @@ function Name({ session, term: { name, off } }: { session: Session; term: Term }
       class={`term ${name}`}
       onClick={() => {
         if (on) before.current = value;
-        session.tryOut(field, on ? off : (before.current ?? Number(field.initial)));
+        session.choices.tryOut(field, on ? off : (before.current ?? Number(field.initial)));
       }}
     >
       {en.terms.names[name]}

@@ -101,3 +101,8 @@ export function edited(step: Step, side: Side, shape: Shape): Step {
 export function sameShapes(a: Shapes, b: Shapes): boolean {
   return a.reference === b.reference && a.template === b.template && a.pins === b.pins;
 }
+
+/** What a step has changed. */
+export function changeOf(now: Step, before: Step): "shapes" | "settings" {
+  return sameShapes(now, before) ? "settings" : "shapes";
+}

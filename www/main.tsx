@@ -66,8 +66,8 @@ function App({ session, onSurfaces }: { session: Session; onSurfaces: () => void
           </header>
           <Stage session={session} />
           <Morph session={session} />
-          <StatusPanel session={session} />
         </div>
+        <StatusPanel session={session} />
         <Terms session={session} />
         <div class="extras">
           <ForcesSwitch session={session} />

@@ -23,7 +23,7 @@ const CARRIED = [
 const FILE = "licences.html";
 
 const STYLE =
-  "html{background:#fffefb;color:#1b2130}a{color:#2f3f9e}body{max-width:50rem;margin:2rem auto;padding:0 1rem;font-family:system-ui}pre{white-space:pre-wrap;overflow-wrap:anywhere}@media(prefers-color-scheme:dark){html{background:#181c24;color:#e7e9ef}a{color:#9fb0ff}}";
+  "html{background:#fffefb;color:#1b2130}a{color:#2f3f9e}body{max-width:50rem;margin:2rem auto;padding:0 1rem;font-family:system-ui;overflow-wrap:anywhere}pre{white-space:pre-wrap}@media(prefers-color-scheme:dark){html{background:#181c24;color:#e7e9ef}a{color:#9fb0ff}}";
 
 /** @returns {Part[]} */
 export function parts() {

@@ -70,6 +70,19 @@ const ROUTES: Readonly<Record<string, (page: Page) => Promise<void>>> = {
   },
 };
 
+/** Their light and dark are looked at where they are tested. */
+const FORCED: typeof ROUTES = {
+  "a lesson": async (page) => {
+    await page.goto("./lessons.html#stretch/6");
+    await expect(button(page, "Check")).toBeVisible();
+    await expect(page.frameLocator(".live iframe").getByRole("img").first()).toBeVisible({ timeout: 20_000 });
+  },
+  "a frame": async (page) => {
+    await page.goto(`./?embed=full${EASY.slice(2)}`);
+    await finished(page);
+  },
+};
+
 const SCHEMES = {
   light: { colorScheme: "light" },
   dark: { colorScheme: "dark" },
@@ -78,7 +91,8 @@ const SCHEMES = {
 
 for (const [scheme, media] of Object.entries(SCHEMES)) {
   test.describe(scheme, () => {
-    for (const [route, open] of Object.entries(ROUTES)) {
+    const routes = scheme === "forced colours" ? { ...ROUTES, ...FORCED } : ROUTES;
+    for (const [route, open] of Object.entries(routes)) {
       test(`has no accessibility violation: ${route}`, async ({ page }) => {
         test.slow();
         await page.emulateMedia(media);

@@ -75,6 +75,25 @@ test.describe("on a phone", () => {
   });
 });
 
+test("nothing scrolls sideways at any width: the other pages, and the presentation", async ({ page }) => {
+  const widths = [320, 390, 768, 1024, 1100, 1280, 3840];
+  for (const address of ["./experiments.html", "./licences.html", "./lessons.html", "./#v=1&preset=ellipse&finest=5"]) {
+    await page.goto(address);
+    await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
+    if (address.includes("preset")) {
+      await finished(page);
+      await button(page, "Present").click();
+      await expect(button(page, "Leave")).toBeVisible();
+    }
+    for (const width of widths) {
+      await page.setViewportSize({ width, height: 800 });
+      await expect
+        .poll(() => page.evaluate(() => document.documentElement.scrollWidth), `${address} ${width}`)
+        .toBeLessThanOrEqual(width);
+    }
+  }
+});
+
 test("nothing scrolls sideways at any width, with everything open", async ({ page }) => {
   await page.goto("./#v=1&preset=ellipse&finest=5");
   await finished(page);

@@ -75,6 +75,26 @@ test("whatever is pressed is 44 pixels wide and high: on the other pages", async
   }
 });
 
+test("whatever is pressed is 44 pixels wide and high: in a lesson, in its frame, and with surfaces", async ({
+  page,
+}) => {
+  await page.goto("./lessons.html");
+  await expect(page.getByRole("listitem").first()).toBeVisible();
+  expect(await small(page)).toEqual([]);
+  await page.goto("./lessons.html#stretch/6");
+  await expect(button(page, "Check")).toBeVisible();
+  expect(await small(page)).toEqual([]);
+  await page.goto("./?embed=full#v=2&preset=ellipse&finest=5");
+  await finished(page);
+  expect(await small(page)).toEqual([]);
+  await page.goto("about:blank");
+  await page.goto("./#space=1&finest=4");
+  await finished(page);
+  await button(page, "Set pins").tap();
+  await settings(page).click();
+  expect(await small(page)).toEqual([]);
+});
+
 for (const [way, size] of [
   ["upright", { width: 390, height: 844 }],
   ["sideways", { width: 844, height: 390 }],

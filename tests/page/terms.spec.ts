@@ -59,11 +59,15 @@ test("runs are kept; one is pinned beside the newest, titled by what differs, an
   await expect(result(page)).toHaveAccessibleName(/matched, at most/);
 });
 
-async function drawing(page: Page, legend = false): Promise<string> {
+async function saved(page: Page, label: string, legend: boolean): Promise<Buffer> {
   await page.getByText("Save", { exact: true }).click();
   await page.getByLabel("With a legend").setChecked(legend);
-  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Drawing (SVG)").click()]);
-  return readFileSync(await download.path(), "utf8");
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, label).click()]);
+  return readFileSync(await download.path());
+}
+
+async function drawing(page: Page, legend = false): Promise<string> {
+  return (await saved(page, "Drawing (SVG)", legend)).toString();
 }
 
 test("a drawing follows the view, and says what its colours mean when asked to", async ({ page }) => {
@@ -81,6 +85,8 @@ test("a drawing follows the view, and says what its colours mean when asked to",
   const area = await drawing(page);
   expect(area).toContain('href="data:image/png;base64,');
   expect(area).not.toContain('id="legend"');
+  const pictures = [await saved(page, "Picture (PNG)", false), await saved(page, "Picture (PNG)", true)];
+  expect(pictures[0].equals(pictures[1])).toBe(false);
   for (const text of [grid, stretch, area]) {
     const problem = await page.evaluate(
       (content) => new DOMParser().parseFromString(content, "image/svg+xml").querySelector("parsererror")?.textContent,

@@ -136,7 +136,7 @@ function options(element: HTMLElement, history: () => readonly Iteration[]): uPl
       },
     ],
     series: [
-      { label: later.energies.iteration },
+      { label: later.energies.iteration, value: (_, value) => (value === null ? "–" : String(value)) },
       ...TERMS.map(({ name, colour: own, dash }) => ({
         label: name === "total" ? later.energies.total : en.terms.names[name],
         stroke: colour(own),

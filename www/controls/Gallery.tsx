@@ -22,7 +22,12 @@ export function Gallery({ onChoose, onProblem }: Props) {
     // Once for each opening.
   }, [shown]);
 
-  if (!shown.value) return <p role="status">{say.galleryLoading}</p>;
+  if (!shown.value)
+    return (
+      <p class="awaited" role="status">
+        {say.galleryLoading}
+      </p>
+    );
   return (
     <div class="gallery">
       {shown.value.map(({ title, source, address, licence, silhouettes }) => (

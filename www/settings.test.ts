@@ -193,7 +193,7 @@ describe("a message", () => {
   });
 });
 
-test("the largest and the least numbers together end without a NaN", async () => {
+test("the largest and the least numbers together end without a NaN", { timeout: 60_000 }, async () => {
   const moved: Shape = { kind: "curves", loops: [Float64Array.of(0.35, 0.3, 0.75, 0.35, 0.7, 0.7, 0.3, 0.75)] };
   for (const end of ["most", "least"] as const) {
     const numbers = SETTINGS.flatMap((setting) => (setting.kind === "number" ? [[setting.name, setting[end]]] : []));

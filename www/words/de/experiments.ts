@@ -42,7 +42,7 @@ export const experimentTexts: Book["experimentTexts"] = {
     paper:
       "Auf 33² Knoten schrumpft ein Kreis, der mit einem viel kleineren abgeglichen wird, nicht: Er legt sich innerhalb des Bandes in Wellen und behält viel von seiner Länge. Der Abstandsterm kann eine glatte Kurve nicht von einer zerknitterten unterscheiden, wenn sie einander näher sind, als das Gitter auflöst.",
     setup:
-      "Ein Kreis vom Radius 0,3 auf einen im angegebenen Verhältnis kleineren, erst 17², dann 33² Knoten, Einstellungen des Artikels, mit α_bend = 0 und 1. Gemessen wird die Länge der zugeordneten Kurve durch den Umfang des kleinen Kreises, weniger 1.",
+      "Ein Kreis vom Radius 0,3 auf einen im angegebenen Verhältnis kleineren, erst 17², dann 33² Knoten, Einstellungen des Artikels mit α_bend = 0 und 1; dieselben mit der Stauchung entlang des Ziels gemessen (projected); und die Voreinstellungen. Gemessen wird die Länge der zugeordneten Kurve durch den Umfang des kleinen Kreises, weniger 1.",
   },
   rotation: {
     title: "Abb. 6 in 2D: ein gedrehtes Quadrat",

@@ -8,8 +8,8 @@ import { isMainThread, parentPort, Worker, workerData } from "node:worker_thread
 import { runCase } from "./fuzz/cases.mjs";
 import { main, root } from "./lib/process.mjs";
 
-/** A case takes milliseconds; one that takes this long, on however busy a machine, does not end. */
-const HANG_MILLIS = 120_000;
+/** Most cases take milliseconds, some on the finest grids half a minute; one that takes this long does not end. */
+const HANG_MILLIS = 300_000;
 
 /** @typedef {{ right: number, refused: number, defects: number }} Tally */
 

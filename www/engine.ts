@@ -26,7 +26,9 @@ async function compiled(address: string): Promise<WebAssembly.Module> {
   });
   if (!answer.ok) throw new Error(en.solver.unanswered(answer.status));
   try {
-    return await WebAssembly.compile(await answer.arrayBuffer());
+    // While it arrives, and a browser may keep what it has compiled; where a server does not say what it sends, after that.
+    const isNamed = answer.headers.get("Content-Type") === "application/wasm";
+    return await (isNamed ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer()));
   } catch (problem) {
     const why = problem instanceof Error ? problem.message : String(problem);
     throw new Error(en.solver.untaken(why));

@@ -27,6 +27,8 @@ export type Kit<Picture extends object> = {
 const CHUNK_MILLIS = 30;
 /** The same after an update: somebody's hand may already be further. */
 const FOLLOWING_MILLIS = 2;
+/** How long an inquiry lets a match go first, which most finish within it. */
+const YIELDING_MILLIS = 500;
 
 type Start = Extract<Request, { kind: "start" }>;
 type Update = Extract<Request, { kind: "update" }>;
@@ -40,6 +42,7 @@ const wanted = {
   update: null as Update | null,
   /** The newest, too. */
   inquiry: null as Inquiry | null,
+  answerBy: 0,
   /** The run that is to end. */
   cancelled: null as number | null,
   paused: false,
@@ -50,8 +53,10 @@ let wake: () => void = () => {};
 function hear({ data }: MessageEvent<Request>): void {
   const current = wanted.update?.run ?? wanted.start?.run ?? running.run;
   if (data.kind === "load") wanted.module = data.module;
-  else if (data.kind === "inspect") wanted.inquiry = data;
-  else if (data.kind === "start") {
+  else if (data.kind === "inspect") {
+    wanted.inquiry = data;
+    wanted.answerBy = performance.now() + YIELDING_MILLIS;
+  } else if (data.kind === "start") {
     wanted.start = data;
     wanted.update = null;
     wanted.paused = false;
@@ -96,11 +101,12 @@ async function loop<Picture extends object>(kit: Kit<Picture>): Promise<never> {
     }
     if (wanted.start) await begin(kit, wanted.start);
     if (wanted.update) await change(wanted.update);
-    if (wanted.inquiry) answer(kit, wanted.inquiry);
-    if (!running.registration || running.finished || wanted.paused) await asleep();
+    const matching = running.finished || wanted.paused ? null : running.registration;
+    if (wanted.inquiry && (!matching || performance.now() > wanted.answerBy)) answer(kit, wanted.inquiry);
+    if (!matching) await asleep();
     else {
       try {
-        await solve(kit, running.registration);
+        await solve(kit, matching);
       } catch (problem) {
         drop();
         refuse(running.run, problem);

@@ -255,43 +255,52 @@ function cat(): Loop {
   return softened(through([...left, ...right]), 20);
 }
 
-function pair(id: string, title: string, reference: Shape, template: Shape): Preset {
-  return { id, title, reference, template };
+/** Drawn when first looked at: the page opens with one pair and waits for no other. */
+function pair(id: string, title: string, draw: () => readonly [reference: Shape, template: Shape]): Preset {
+  let drawn: readonly [Shape, Shape] | null = null;
+  const shape = (side: 0 | 1) => {
+    drawn ??= draw();
+    return drawn[side];
+  };
+  return {
+    id,
+    title,
+    get reference() {
+      return shape(0);
+    },
+    get template() {
+      return shape(1);
+    },
+  };
 }
 
-const ROUNDED_SQUARE: Shape = [roundedSquare(0.2, 0.12)];
-const STAR: Shape = [star(5, 0.21, 0.24)];
+/** A shape, and itself turned. */
+function andTurned(shape: Shape, degrees: number): readonly [Shape, Shape] {
+  return [shape, turned(shape, degrees)];
+}
 
 export const PRESETS: readonly Preset[] = [
-  pair("ellipse", "Circle → ellipse", [ellipse(0.15, 0.15)], [ellipse(0.31, 0.17)]),
-  pair("star", "Star → turned star", STAR, turned(STAR, 24)),
-  pair("square", "Rounded square → turned by 30°", ROUNDED_SQUARE, turned(ROUNDED_SQUARE, 30)),
-  pair(
-    "blobs",
-    "Two blobs",
+  pair("ellipse", "Circle → ellipse", () => [[ellipse(0.15, 0.15)], [ellipse(0.31, 0.17)]]),
+  pair("star", "Star → turned star", () => andTurned([star(5, 0.21, 0.24)], 24)),
+  pair("square", "Rounded square → turned by 30°", () => andTurned([roundedSquare(0.2, 0.12)], 30)),
+  pair("blobs", "Two blobs", () => [
     [polar((t) => 0.21 * (1 + 0.16 * Math.cos(2 * t + 0.6) + 0.12 * Math.sin(3 * t)))],
     [polar((t) => 0.22 * (1 + 0.2 * Math.cos(2 * t + 1.5) + 0.1 * Math.cos(4 * t)))],
-  ),
-  pair("leaf", "Leaf → lobed leaf", [leaf(0, 0)], [softened(leaf(1.4, 0.11), 45)]),
-  pair(
-    "letters",
-    "L → C",
+  ]),
+  pair("leaf", "Leaf → lobed leaf", () => [[leaf(0, 0)], [softened(leaf(1.4, 0.11), 45)]]),
+  pair("letters", "L → C", () => [
     [ribbon(elbow({ x: 0.36, y: 0.72 }, { x: 0.36, y: 0.3 }, { x: 0.68, y: 0.3 }, 0.11), () => 0.06)],
     [ribbon(arc(0.2, 80, 290, { x: 0.52, y: 0.5 }), () => 0.06)],
-  ),
-  pair("clover", "Long clover → short circle", [star(4, 0.22, 0.2)], [ellipse(0.22, 0.22)]),
-  pair(
-    "ring",
-    "Ring → shifted ring",
+  ]),
+  pair("clover", "Long clover → short circle", () => [[star(4, 0.22, 0.2)], [ellipse(0.22, 0.22)]]),
+  pair("ring", "Ring → shifted ring", () => [
     [ellipse(0.25, 0.25), reversed(ellipse(0.11, 0.11))],
     [ellipse(0.31, 0.22), reversed(ellipse(0.09, 0.11, { x: 0.59, y: 0.5 }))],
-  ),
-  pair("fish", "Fish → swimming fish", [fish(0)], [fish(0.09)]),
-  pair("hand", "Hand → spread hand", [hand([2, 52, 96, 140], 0.07)], [hand([-18, 44, 96, 148], 0.13)]),
-  pair("ears", "Cat → rabbit", [cat()], [rabbit()]),
-  pair(
-    "heart",
-    "Heart → drop",
+  ]),
+  pair("fish", "Fish → swimming fish", () => [[fish(0)], [fish(0.09)]]),
+  pair("hand", "Hand → spread hand", () => [[hand([2, 52, 96, 140], 0.07)], [hand([-18, 44, 96, 148], 0.13)]]),
+  pair("ears", "Cat → rabbit", () => [[cat()], [rabbit()]]),
+  pair("heart", "Heart → drop", () => [
     [heart()],
     [
       closed((t) => ({
@@ -299,19 +308,15 @@ export const PRESETS: readonly Preset[] = [
         y: 0.5 + 0.27 * Math.sin(t),
       })),
     ],
-  ),
-  pair(
-    "pairs",
-    "Two parts → two parts",
+  ]),
+  pair("pairs", "Two parts → two parts", () => [
     [ellipse(0.1, 0.16, { x: 0.33, y: 0.5 }), ellipse(0.1, 0.16, { x: 0.67, y: 0.5 })],
     [ellipse(0.14, 0.1, { x: 0.33, y: 0.42 }), ellipse(0.11, 0.17, { x: 0.68, y: 0.56 })],
-  ),
-  pair(
-    "moon",
-    "Bean → crescent",
+  ]),
+  pair("moon", "Bean → crescent", () => [
     [ribbon(arc(0.22, 220, 320, { x: 0.5, y: 0.66 }), () => 0.085)],
     [ribbon(arc(0.2, 195, 345, { x: 0.5, y: 0.58 }), (s) => 0.045 + 0.035 * Math.sin(Math.PI * s))],
-  ),
+  ]),
 ];
 
 page("presets", Object.fromEntries(PRESETS.map((preset) => [preset.id, preset])));

@@ -9,6 +9,7 @@ import type { Row } from "../www/batch/tables";
 import { evenPoints } from "../www/morphometrics/semilandmarks";
 import type { Status } from "../www/protocol";
 import init, { Registration } from "../www/wasm/thinshell.js";
+import { sidesSaid } from "../www/words/sides";
 import { Refusal, USAGE, type Wanted, wantedIn } from "./arguments";
 import { provideParser } from "./drawing";
 import { filesIn, read } from "./files";
@@ -92,7 +93,7 @@ async function rowOf(plan: Plan, taken: Taken, file: string, name: string, count
       row = { name, file, outcome, target: taken.subject, match };
     } catch (error) {
       if (cancelling.signal.aborted) return null;
-      row = failed(reason(error));
+      row = failed(sidesSaid(reason(error)));
     }
   }
   progress("");

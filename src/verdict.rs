@@ -25,6 +25,9 @@ pub const RESOLVED: f64 = 2.0;
 /// The finest grid that is offered: the next one takes minutes.
 const FINEST_OFFERED: u32 = 9;
 
+/// What sentences call the two shapes: the template of the interface is the target for people.
+const SHAPES: [&str; 2] = ["reference", "target"];
+
 /// Numbers of a verdict's facts, and of those of [`Unresolved`].
 pub const FACTS: usize = 6 + NARROW;
 pub const NARROW: usize = 6;
@@ -55,7 +58,7 @@ pub struct Parts {
 /// A neck or gap that a grid does not resolve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unresolved {
-    /// "reference" or "template".
+    /// "reference" or "target".
     pub shape: &'static str,
     /// In cells of the grid.
     pub width: f64,
@@ -118,7 +121,7 @@ impl Pair {
     /// The narrowest neck or gap of both shapes, if the grid of `level` does not resolve it.
     pub fn unresolved(&self, level: u32) -> Option<Unresolved> {
         let cells = |level: u32| Grid::<2>::of_level(level).cells() as f64;
-        let named = ["reference", "template"].into_iter().zip(&self.shapes);
+        let named = SHAPES.into_iter().zip(&self.shapes);
         named
             .filter_map(|(shape, Shape { narrowest, .. })| {
                 let Narrowest { width, at, is_gap } = (*narrowest)?;
@@ -228,7 +231,7 @@ impl Unresolved {
     pub fn facts(found: Option<&Self>) -> [f64; NARROW] {
         let Some(Self { shape, width, at, is_gap, level }) = found else { return [NO_FACT; NARROW] };
         let flag = |flag: bool| f64::from(u8::from(flag));
-        [flag(*shape == "template"), *width, at.x, at.y, flag(*is_gap), f64::from(level.unwrap_or(0))]
+        [flag(*shape == SHAPES[1]), *width, at.x, at.y, flag(*is_gap), f64::from(level.unwrap_or(0))]
     }
 }
 
@@ -384,7 +387,7 @@ mod tests {
     fn a_gap_that_the_grid_does_not_resolve_is_named_with_the_grid_that_does() {
         let (square, cut) = (slit(0.25), slit(0.8 / 128.0));
         let words = still(&[square], &[cut]);
-        assert!(words.starts_with("Not resolved by this grid: the template's narrowest gap"), "{words}");
+        assert!(words.starts_with("Not resolved by this grid: the target's narrowest gap"), "{words}");
         assert!(words.contains("is 0.8 cells wide; a grid of 513² resolves it"), "{words}");
         let pair = Pair::new(&shape(&[circle([0.5; 2], 0.3)]), &shape(&[slit(0.3 / 128.0)]));
         let unresolved = pair.unresolved(LEVEL).unwrap();

@@ -286,8 +286,12 @@ function curves(shape: Shape) {
   return { kind: "curves" as const, loops: [...shape] };
 }
 
+/** What the solver says, as a sentence of the page. */
 export function sentence(message: string): string {
-  const words = en.solver.words(message);
+  return asSentence(en.solver.words(message));
+}
+
+export function asSentence(words: string): string {
   const text = words.charAt(0).toUpperCase() + words.slice(1);
   return /[.!?]$/.test(text) ? text : `${text}.`;
 }

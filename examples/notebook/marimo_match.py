@@ -27,7 +27,7 @@ def _(math):
 
 @app.cell
 def _(mo, templates):
-    shape = mo.ui.dropdown(list(templates), value="long", label="Template")
+    shape = mo.ui.dropdown(list(templates), value="long", label="Target")
     shape
     return (shape,)
 

@@ -25,7 +25,7 @@ async function read(page) {
   const said = page.getByText(/^Stretch 1\.6/);
   await said.waitFor();
   expect((await said.textContent()) ?? "", /^Stretch 1\.63; the right end goes to 0\.8\d, 0\.50/);
-  await page.getByRole("combobox", { name: "Template" }).selectOption("round");
+  await page.getByRole("combobox", { name: "Target" }).selectOption("round");
   await matches(page, 2);
   const again = page.getByText(/^Stretch (2\.00|1\.99)/);
   await again.waitFor();

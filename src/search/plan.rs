@@ -108,10 +108,10 @@ impl Approach {
 impl fmt::Display for Approach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Direct => "Matching the reference with the template",
-            Self::Exchanged => "Matching the other way round: the template with the reference",
+            Self::Direct => "Matching the reference with the target",
+            Self::Exchanged => "Matching the other way round: the target with the reference",
             Self::Inverted => "Refining the inverse of the match found the other way round",
-            Self::Sharpened(_) => "Sharpening: the template pulls more strongly, most where it was missed",
+            Self::Sharpened(_) => "Sharpening: the target pulls more strongly, most where it was missed",
             Self::Guided | Self::GuidedAsDrawn => "Matching along corresponding points of both outlines",
             Self::GuidedExchanged | Self::GuidedExchangedAsDrawn => {
                 "Matching the other way round, along corresponding points of both outlines"

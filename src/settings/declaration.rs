@@ -207,7 +207,7 @@ declare! {
     alignment: Alignment = Alignment::Similarity => {
         name: "align", symbol: "", group: Method, on_page: true,
         label: "Start from",
-        help: "The best similarity moves, turns and scales the reference towards the template first; the paper starts from the identity.",
+        help: "The best similarity moves, turns and scales the reference towards the target first; the paper starts from the identity.",
         kind: Kind::Choice(ALIGNMENTS),
     }
     minimizer: MinimizerKind = MinimizerKind::Newton => {
@@ -243,5 +243,5 @@ pub const PINS: Words = Words {
     group: Group::Energies,
     on_page: false,
     label: "Pins",
-    help: "Points of the reference's plane, each with a point of the template's that it is drawn to: x y, then its partner's x y, pin by pin (in 3D x y z and x y z).",
+    help: "Points of the reference's plane, each with a point of the target's that it is drawn to: x y, then its partner's x y, pin by pin (in 3D x y z and x y z).",
 };

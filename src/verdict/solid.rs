@@ -1,6 +1,6 @@
 //! The same for surfaces.
 
-use super::{CLOSE, COVERED, CRUMPLED, LEFT_OUT, capital, counted};
+use super::{CLOSE, COVERED, CRUMPLED, LEFT_OUT, SHAPES, capital, counted};
 use crate::distance::SignedDistance;
 use crate::hypersurface::Hypersurface;
 use crate::report::Report;
@@ -35,7 +35,7 @@ struct Unseen {
 
 impl SolidPair {
     pub fn new(reference: &SignedDistance<3>, template: &SignedDistance<3>) -> Self {
-        let shapes = [("reference", reference), ("template", template)];
+        let shapes = [(SHAPES[0], reference), (SHAPES[1], template)];
         let unseen = |(name, shape): (&'static str, &SignedDistance<3>)| {
             let (at, cells) = shape.least_seen()?;
             (cells > UNSEEN).then_some((cells, Unseen { shape: name, at }))

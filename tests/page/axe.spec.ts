@@ -32,7 +32,7 @@ const ROUTES: Readonly<Record<string, (page: Page) => Promise<void>>> = {
   },
   "the import": async (page) => {
     await matched(page);
-    await button(page, "Import template").click();
+    await button(page, "Import target").click();
     await expect(page.getByRole("dialog")).toBeVisible();
   },
   "the gallery": async (page) => {
@@ -41,7 +41,7 @@ const ROUTES: Readonly<Record<string, (page: Page) => Promise<void>>> = {
     await expect(page.getByRole("region", { name: "Countries" })).toBeVisible();
     expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
     await page.getByRole("dialog").getByRole("listitem").first().getByRole("button").click();
-    await expect(button(page, "Use as template")).toBeEnabled();
+    await expect(button(page, "Use as target")).toBeEnabled();
   },
   "the presentation": async (page) => {
     await matched(page);

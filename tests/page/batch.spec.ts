@@ -4,7 +4,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { readland } from "../../scripts/lib/readland.mjs";
 import { readCsv } from "../../www/shapes/import/csv";
 import { choose, type File, file, svgFile } from "./files";
-import { button, drawn, loops, watch } from "./handles";
+import { button, drawn, loops, SIDES, watch } from "./handles";
 
 test.beforeEach(async ({ page }) => {
   await page.goto("./#v=1&preset=ellipse&finest=5");
@@ -158,7 +158,7 @@ test("a folder that is chosen is taken with what of it can be read", async ({ pa
   mkdirSync(folder, { recursive: true });
   for (const { name, buffer } of [SQUARE, OVAL]) writeFileSync(`${folder}/${name}`, buffer);
   writeFileSync(`${folder}/notes.docx`, "no shape");
-  await button(page, "Import template").click();
+  await button(page, "Import target").click();
   await button(page, "Many files").click();
   await page.getByLabel("Choose a folder").setInputFiles(folder);
   await expect(page.getByText("2 files are ready.")).toBeVisible();
@@ -171,7 +171,7 @@ test("landmarks of specimens taken one by one become pins", async ({ page }) => 
   ] as const) {
     await choose(page, side, specimens());
     await page.getByRole("dialog").getByLabel("Shape").selectOption({ label: specimen });
-    await button(page, `Use as ${side.toLowerCase()}`).click();
+    await button(page, `Use as ${SIDES[side]}`).click();
     await expect(page.getByRole("dialog")).toBeHidden();
   }
   // The third is missing on one of them.

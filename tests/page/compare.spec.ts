@@ -72,5 +72,5 @@ test("what cannot be compared is refused with a reason", async ({ page }) => {
   await page.getByLabel("Bending of B").fill("0");
   await button(page, "Clear template").click();
   await button(page, "Compare").click();
-  await expect(page.getByRole("alert")).toContainText("The template has no points");
+  await expect(page.getByRole("alert")).toContainText("The target has no points");
 });

@@ -108,12 +108,12 @@ test("as an anywidget it takes shapes in, and gives the report and φ at points 
   await page.goto(`${server.address}widget.html`);
   const model = page.locator("#model");
   await expect(model).toHaveText(/^stretch 1\.63, mapped 0\.8\d\d,0\.(49|50)\d$/, { timeout: 45_000 });
-  await page.getByRole("button", { name: "Another template" }).click();
+  await page.getByRole("button", { name: "Another target" }).click();
   // A circle may be turned on its way to a circle, but its points go to the circle.
   await expect(model).toHaveText(/^stretch (2\.00|1\.99), /, { timeout: 45_000 });
   const [x, y] = ((await model.textContent()) ?? "").split("mapped ")[1].split(",").map(Number);
   expect(Math.hypot(x - 0.5, y - 0.5)).toBeCloseTo(0.3, 2);
-  await page.getByRole("button", { name: "A template that is none" }).click();
+  await page.getByRole("button", { name: "A target that is none" }).click();
   await expect(model).toContainText("each loop of the template must be at least three points");
   expect(seen.errors).toEqual([]);
 });

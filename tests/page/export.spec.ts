@@ -81,7 +81,7 @@ test("a drawing, whose shapes come back with the same distance field", async ({ 
   expect(name).toBe("thinshell-shapes.svg");
   await button(page, "Clear reference").click();
   await choose(page, "Reference", { name, mimeType: "image/svg+xml", buffer });
-  await expect(page.getByLabel("Shape", { exact: true }).locator("option")).toHaveText(["Reference", "Template"]);
+  await expect(page.getByLabel("Shape", { exact: true }).locator("option")).toHaveText(["Reference", "Target"]);
   await expect(page.getByLabel("Place", { exact: true })).toHaveValue("asIs");
   await take(page, "Reference");
   const after = loopsOf(await saveJson(page));
@@ -240,7 +240,7 @@ test("single shapes of a saved match can be taken", async ({ page }) => {
   const saved = await save(page, "Everything (JSON)");
   const { template } = JSON.parse(saved.buffer.toString()) as Json;
   await choose(page, "Reference", saved);
-  await button(page, "Only the template").click();
+  await button(page, "Only the target").click();
   const [loop] = await take(page, "Reference");
   const right = Math.max(...template.loops[0].map(([x]) => x));
   expect(Math.max(...loop.map(([x]) => x))).toBeCloseTo(right, 3);

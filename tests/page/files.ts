@@ -2,7 +2,7 @@
 
 import { deflateSync } from "node:zlib";
 import { expect, type Page } from "@playwright/test";
-import { button, drawn, loops, type Side } from "./handles";
+import { button, drawn, loops, SIDES, type Side } from "./handles";
 
 export type File = { readonly name: string; readonly mimeType: string; readonly buffer: Buffer };
 
@@ -80,7 +80,7 @@ export function disc(ink: readonly [number, number, number, number], paper: read
 
 /** Opens the dialog for one side and chooses the file. */
 export async function choose(page: Page, side: Side, chosen: File): Promise<void> {
-  await button(page, `Import ${side.toLowerCase()}`).click();
+  await button(page, `Import ${SIDES[side]}`).click();
   await page.getByLabel("Choose a file").setInputFiles({ ...chosen });
 }
 
@@ -107,7 +107,7 @@ export type Loop = readonly (readonly [number, number])[];
 /** Takes what the dialog shows as the given side's shape, and returns that as the address holds it. */
 export async function take(page: Page, side: Side): Promise<Loop[]> {
   const before = drawn(page, side);
-  await button(page, `Use as ${side.toLowerCase()}`).click();
+  await button(page, `Use as ${SIDES[side]}`).click();
   await expect(page.getByRole("dialog")).toHaveCount(0);
   // The address follows an edit after a moment.
   await expect.poll(() => drawn(page, side)).not.toBe(before);

@@ -193,10 +193,10 @@ test("surfaces change their language as they are, and the curves behind them wit
   await page.goto("./#v=2&preset=fish&match=later");
   await button(page, "Surfaces").click();
   // Until they have come the settings are the curves'.
-  await expect(page.getByLabel("Surface of the template")).toBeVisible();
+  await expect(page.getByLabel("Surface of the target")).toBeVisible();
   await page.locator("details.settings > summary").click();
   await page.getByLabel("Finest grid").selectOption("17³");
-  await page.getByLabel("Surface of the template").selectOption("Rounded cube");
+  await page.getByLabel("Surface of the target").selectOption("Rounded cube");
   await button(page, "Deutsch").click();
   await expect(page.getByLabel("Fläche des Ziels").locator("option:checked")).toHaveText("Abgerundeter Würfel");
   await expect(page.getByLabel("Feinstes Gitter")).toHaveValue("4");

@@ -5,6 +5,9 @@ import { unpack } from "../../www/link/pack";
 
 export type Side = "Reference" | "Template";
 
+/** What the page calls the shapes, outside of the names of their surfaces. */
+export const SIDES: Readonly<Record<Side, string>> = { Reference: "reference", Template: "target" };
+
 export function surface(page: Page, side: Side): Locator {
   return page.getByRole("application", { name: `${side} shape` });
 }

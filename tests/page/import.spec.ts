@@ -106,7 +106,7 @@ test.describe("by the file chooser", () => {
 test.describe("by drop and paste", () => {
   test("what is dropped on a panel is for that side", async ({ page }) => {
     await drop(page, "[aria-label='Template shape']", svgFile(SQUARE, "dropped.svg"));
-    await expect(page.getByRole("dialog", { name: "Import a template" })).toBeVisible();
+    await expect(page.getByRole("dialog", { name: "Import a target" })).toBeVisible();
     await expect(page.getByText("From dropped.svg")).toBeVisible();
     expect(areaShare(await take(page, "Template"))).toBeCloseTo(1, 3);
     await drop(page, "[aria-label='Reference shape']", file("disc.png", "image/png", disc(WHITE, BLACK)));
@@ -360,7 +360,7 @@ test.describe("rubbish is refused with a reason, and the shapes stay", () => {
 test("the gallery has real silhouettes, with credits, from this server only", async ({ page, baseURL }) => {
   await page.waitForLoadState("networkidle");
   const seen = watch(page);
-  await button(page, "Import template").click();
+  await button(page, "Import target").click();
   await button(page, "Gallery").click();
   const things = page.getByRole("region", { name: "Things" }).getByRole("button");
   const countries = page.getByRole("region", { name: "Countries" }).getByRole("button");
@@ -394,7 +394,7 @@ test("the gallery has real silhouettes, with credits, from this server only", as
 });
 
 test("a gallery that cannot be fetched says so", async ({ page }) => {
-  await button(page, "Import template").click();
+  await button(page, "Import target").click();
   await page.route("**/gallery-*.js", (route) => route.abort());
   await button(page, "Gallery").click();
   await expect(page.getByRole("dialog").getByRole("alert")).toContainText("The gallery could not be loaded");

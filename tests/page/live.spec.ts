@@ -95,7 +95,7 @@ test("a shape dragged to the border keeps the last picture, says why, and matche
   await page.mouse.move(x + 0.1 * size, y, { steps: 4 });
   const edge = (await surface(page, "Template").boundingBox())?.x ?? 0;
   await page.mouse.move(edge + 0.995 * size, y, { steps: 8 });
-  await expect(page.getByRole("alert")).toContainText("The template comes within");
+  await expect(page.getByRole("alert")).toContainText("The target comes within");
   await expect(result(page)).toHaveAttribute("aria-label", /following/);
   await page.mouse.move(x, y, { steps: 4 });
   await expect(page.getByRole("alert")).toBeEmpty();

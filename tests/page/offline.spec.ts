@@ -47,7 +47,7 @@ test("offline after one visit everything works: match, import, views, export, th
     await page.getByText("Save", { exact: true }).click();
     await Promise.all([page.waitForEvent("download"), button(page, label).click()]);
   }
-  await button(page, "Import template").click();
+  await button(page, "Import target").click();
   await button(page, "Gallery").click();
   await expect(button(page, "Drop")).toBeVisible();
   await page.goto("./experiments.html");

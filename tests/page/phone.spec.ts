@@ -59,7 +59,7 @@ test("whatever is pressed is 44 pixels wide and high: in the dialogs and the pre
   await expect(page.getByRole("region", { name: "Countries" })).toBeVisible();
   expect(await small(page)).toEqual([]);
   await page.getByRole("dialog").getByRole("listitem").first().getByRole("button").tap();
-  await expect(button(page, "Use as template")).toBeEnabled();
+  await expect(button(page, "Use as target")).toBeEnabled();
   expect(await small(page)).toEqual([]);
   await button(page, "Close").tap();
   await button(page, "Present").tap();
@@ -109,7 +109,7 @@ for (const [way, size] of [
     await expect(surface(page, "Reference")).toBeInViewport({ ratio: 1 });
     await expect(surface(page, "Reference")).toBeFocused();
     await expect(surface(page, "Template")).toBeHidden();
-    for (const name of ["Undo", "To the template", "Done"])
+    for (const name of ["Undo", "To the target", "Done"])
       await expect(page.locator(".enlarged-bar").getByText(name)).toBeInViewport({ ratio: 1 });
     await button(page, "Polygon").tap();
     for (const [u, v] of [
@@ -124,7 +124,7 @@ for (const [way, size] of [
     expect(await small(page)).toEqual([]);
     expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
     await page.locator(".enlarged-bar").getByText("Undo").tap();
-    await button(page, "To the template").tap();
+    await button(page, "To the target").tap();
     await expect(surface(page, "Template")).toBeFocused();
     await button(page, "Done").tap();
     await expect(surface(page, "Reference")).toBeVisible();

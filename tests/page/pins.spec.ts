@@ -102,9 +102,9 @@ async function savedJson(page: Page): Promise<Saved> {
 test("two presses tie a point to its partner, and the match takes it there", async ({ page }) => {
   const seen = watch(page);
   await open(page);
-  await expect(guide(page)).toHaveText("Press a point of the reference, then its partner on the template.");
+  await expect(guide(page)).toHaveText("Press a point of the reference, then its partner on the target.");
   await press(page, "Reference", TIP);
-  await expect(guide(page)).toHaveText("Now the partner of pin 1: press where it belongs on the template.");
+  await expect(guide(page)).toHaveText("Now the partner of pin 1: press where it belongs on the target.");
   await press(page, "Template", OTHER_TIP);
   await pinsAre(page, [...TIP, ...OTHER_TIP]);
   await match(page);
@@ -223,7 +223,7 @@ test("Escape gives up a pin that waits for its partner, and so does another tool
   await open(page);
   await press(page, "Reference", TIP);
   await page.keyboard.press("Escape");
-  await expect(guide(page)).toHaveText("Press a point of the reference, then its partner on the template.");
+  await expect(guide(page)).toHaveText("Press a point of the reference, then its partner on the target.");
   await press(page, "Reference", TIP);
   await button(page, "Draw").click();
   await button(page, "Pin").click();

@@ -33,7 +33,7 @@ test("a whole session is within the policy", async ({ page }) => {
   await take(page, "Template");
   await drop(page, "body", file("a.png", "image/png", disc([0, 0, 0, 255], [255, 255, 255, 255])));
   await take(page, "Reference");
-  await button(page, "Import template").click();
+  await button(page, "Import target").click();
   await button(page, "Gallery").click();
   await button(page, "Drop").click();
   await take(page, "Template");

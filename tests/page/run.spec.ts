@@ -97,7 +97,7 @@ test.describe("what cannot be matched is refused with a reason", () => {
     await page.goto("./");
     await button(page, "Clear template").click();
     await button(page, "Match").click();
-    await expect(page.getByRole("alert")).toContainText("The template has no points");
+    await expect(page.getByRole("alert")).toContainText("The target has no points");
     await expect(page.getByRole("status")).toContainText("Ready");
     expect(seen.errors).toEqual([]);
     // The other shape is still there, and drawing what is missing is all it takes.
@@ -126,7 +126,7 @@ test.describe("what cannot be matched is refused with a reason", () => {
     await surface(page, "Template").focus();
     for (let step = 0; step < 9; step += 1) await page.keyboard.press("ArrowRight");
     await button(page, "Match").click();
-    await expect(page.getByRole("alert")).toContainText("The template comes within");
+    await expect(page.getByRole("alert")).toContainText("The target comes within");
     await expect(page.getByRole("alert")).toContainText("right border");
     await button(page, "Fit").click();
     await expect(page.getByRole("alert")).toBeEmpty();

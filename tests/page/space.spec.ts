@@ -127,7 +127,7 @@ test("a drag turns, and two views show numbers with their legend", async ({ page
   let last = await picture(result(page));
   for (const [view, legend] of [
     ["Area ratio", "Area ratio"],
-    ["Distance", "Distance to the template"],
+    ["Distance", "Distance to the target"],
   ]) {
     await page.getByLabel("View", { exact: true }).selectOption(view);
     await expect(page.getByRole("figure", { name: "What the colours mean" })).toContainText(legend);
@@ -187,7 +187,7 @@ test("pins are set by presses and by keys, moved, deleted and undone, hold in th
 
   await surface(page, "Template").focus();
   await page.keyboard.press("Enter");
-  await expect(guide).toContainText("Pin 2 begins on the template");
+  await expect(guide).toContainText("Pin 2 begins on the target");
   await surface(page, "Reference").focus();
   await page.keyboard.press("Enter");
   await expect(pins).toHaveCount(4);
@@ -206,7 +206,7 @@ test("pins are set by presses and by keys, moved, deleted and undone, hold in th
   await expect(pins).toHaveCount(2);
   await expect.poll(places).toHaveLength(6);
 
-  const first = page.getByRole("button", { name: "Pin 1 on the template" });
+  const first = page.getByRole("button", { name: "Pin 1 on the target" });
   const box = await first.boundingBox();
   if (!box) throw new Error("no pin");
   const held = places();
@@ -274,7 +274,7 @@ test("a dropped PLY is matched, saved, and there again after a reload", async ({
   await page.goto(SMALL);
   await finished(page);
   await drop(page, "#template-surface", file("eight.ply", "", octahedron()));
-  await expect(page.getByLabel("Surface of the template").locator("option:checked")).toHaveText("eight.ply");
+  await expect(page.getByLabel("Surface of the target").locator("option:checked")).toHaveText("eight.ply");
   await expect(page.getByRole("status")).toContainText("press Match");
   await button(page, "Match").click();
   await finished(page);
@@ -305,7 +305,7 @@ test("a dropped PLY is matched, saved, and there again after a reload", async ({
   await expect(page.getByRole("alert")).toContainText("kept in this browser only");
   await page.reload();
   await finished(page);
-  await expect(page.getByLabel("Surface of the template").locator("option:checked")).toHaveText("eight.ply");
+  await expect(page.getByLabel("Surface of the target").locator("option:checked")).toHaveText("eight.ply");
   expect(ours(errors)).toEqual([]);
 });
 

@@ -48,7 +48,7 @@ test("what has been said of shapes goes with them, by undo as well", async ({ pa
   await page.goto(PLAIN);
   await button(page, "Clear template").click();
   await button(page, "Match").click();
-  await expect(page.getByRole("alert")).toContainText("The template has no points");
+  await expect(page.getByRole("alert")).toContainText("The target has no points");
   await button(page, "Undo").click();
   await expect(page.getByRole("alert")).toBeEmpty();
   await stroke(page, "Reference", ellipse(0.1, 0.1, 0.5, 0.95));

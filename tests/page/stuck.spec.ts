@@ -191,17 +191,17 @@ test.describe("a part that cannot be fetched says so, and comes as soon as it ca
   test("the import", async ({ page }) => {
     await page.goto(EASY);
     const give = await withhold(page, "**/assets/ImportDialog-*");
-    await button(page, "Import template").click();
+    await button(page, "Import target").click();
     await expect(page.getByRole("alert")).toContainText("The import could not be loaded; check the connection");
     give();
-    await button(page, "Import template").click();
-    const dialog = page.getByRole("dialog", { name: "Import a template" });
+    await button(page, "Import target").click();
+    const dialog = page.getByRole("dialog", { name: "Import a target" });
     await expect(dialog).toBeVisible();
     // With its style sheet: without it the dialog would be as narrow as its text.
     expect((await dialog.boundingBox())?.width).toBeGreaterThan(700);
     await page.getByText("Paste text here").click();
     await page.getByLabel("SVG, path data, JSON or CSV text").fill("0 0\n2 0\n2 1\n0 1");
-    await button(page, "Use as template").click();
+    await button(page, "Use as target").click();
     await expect(page.getByRole("dialog")).toHaveCount(0);
   });
 
@@ -215,17 +215,17 @@ test.describe("a part that cannot be fetched says so, and comes as soon as it ca
       await arrived;
       await route.continue();
     });
-    await button(page, "Import template").click();
+    await button(page, "Import target").click();
     await expect(page.getByText("Loading the import …")).toBeVisible();
     arrive();
-    await expect(page.getByRole("dialog", { name: "Import a template" })).toBeVisible();
+    await expect(page.getByRole("dialog", { name: "Import a target" })).toBeVisible();
     await expect(page.getByText("Loading the import …")).toHaveCount(0);
   });
 
   test("the gallery", async ({ page }) => {
     await page.goto(EASY);
     const give = await withhold(page, "**/assets/gallery-*");
-    await button(page, "Import template").click();
+    await button(page, "Import target").click();
     await button(page, "Gallery").click();
     await expect(page.getByRole("dialog").getByRole("alert")).toContainText("The gallery could not be loaded; check");
     give();

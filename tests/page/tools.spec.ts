@@ -40,7 +40,7 @@ test("a circle is dragged from its middle, and takes one undo", async ({ page })
   ]);
   await expect.poll(() => loops(page, "Template").length).toBe(1);
   for (const [x, y] of loops(page, "Template")[0]) expect(Math.hypot(x - 0.4, y - 0.5)).toBeCloseTo(0.2, 2);
-  await expect(told(page)).toHaveText("The template is one closed curve now.");
+  await expect(told(page)).toHaveText("The target is one closed curve now.");
   await button(page, "Undo").click();
   await expect.poll(() => loops(page, "Template").length).toBe(0);
   expect(seen.errors).toEqual([]);
@@ -165,7 +165,7 @@ test("however many keys it takes, smoothing by key is one step to undo", async (
   const slider = page.getByRole("slider", { name: "Smooth" });
   await slider.focus();
   for (let k = 0; k < 6; k += 1) await page.keyboard.press("PageUp");
-  await expect(told(page)).toContainText("The curve of the template is smoothed by 60 %.");
+  await expect(told(page)).toContainText("The curve of the target is smoothed by 60 %.");
   await page.keyboard.press("Control+z");
   await expect(slider).toHaveValue("0");
   await expect(button(page, "Undo")).toBeDisabled();
@@ -203,7 +203,7 @@ test("shapes are swapped with their pins, and swapped back by undo", async ({ pa
   await expect.poll(pins).toBeTruthy();
   const before = pins();
   await exchange(page, "Swap the shapes");
-  await expect(told(page)).toHaveText("Swapped: the reference is what the template was, and the pins lead back.");
+  await expect(told(page)).toHaveText("Swapped: the reference is what the target was, and the pins lead back.");
   await expect.poll(pins).not.toBe(before);
   expect(loopsIn(pins())[0][0][0]).toBeCloseTo(0.2, 2);
   const [reference, template] = [drawn(page, "Reference"), drawn(page, "Template")];
@@ -219,8 +219,8 @@ test("a copied shape is the other one; the pins that led to what is gone go with
   await take(page, "Pin");
   await press(page, "Reference", [0.5, 0.5]);
   await press(page, "Template", [0.2, 0.8]);
-  await exchange(page, "Copy the reference to the template");
-  await expect(page.getByRole("alert")).toContainText("The pin is deleted, for the template that it led to is gone.");
+  await exchange(page, "Copy the reference to the target");
+  await expect(page.getByRole("alert")).toContainText("The pin is deleted, for the target that it led to is gone.");
   await expect.poll(() => drawn(page, "Template")).toBeTruthy();
   expect(drawn(page, "Template")).toBe(drawn(page, "Reference"));
   await button(page, "Undo").click();

@@ -45,7 +45,7 @@ test("a gap that the grid does not resolve is named before the match, and one pr
 }) => {
   await open(page, [circle(0.2)], [slit(1.5 / 64)], 6);
   const status = page.getByRole("status");
-  await expect(status).toContainText("The template's narrowest gap");
+  await expect(status).toContainText("The target's narrowest gap");
   await expect(status).toContainText("is 1.5 cells wide; a grid of 129² resolves it.");
   await button(page, "Match on 129 × 129").click();
   await finished(page);

@@ -5,6 +5,7 @@ import { evenPoints } from "../morphometrics/semilandmarks";
 import type { Session } from "../session";
 import { Reader } from "../shapes/import/reader";
 import { batch as say } from "../words/batch";
+import { en } from "../words/en";
 import { imports } from "../words/imports";
 import { gridName, verdict } from "../words/said";
 import type { Plan } from "./match";
@@ -137,7 +138,7 @@ export class BatchRun {
       add({ outcome: [verdict(match.status), match.note].filter(Boolean).join(" "), target, match });
     } catch (error) {
       signal.throwIfAborted();
-      add({ outcome: imports.words(reason(error)), target: null, match: null });
+      add({ outcome: en.solver.words(reason(error)), target: null, match: null });
     }
   }
 

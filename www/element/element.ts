@@ -6,7 +6,7 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import { numbersOf } from "../embed/report";
-import { sentence } from "../run";
+import { asSentence } from "../run";
 import type { Chosen } from "../settings";
 import base from "../style/base.css?inline";
 import style from "./element.css?inline";
@@ -180,7 +180,8 @@ export class ThinShellMatch extends HTMLElement {
       change();
       this.#right(name);
     } catch (error) {
-      const problem = sentence(error instanceof Error ? error.message : String(error));
+      // Of a property, by its name.
+      const problem = asSentence(error instanceof Error ? error.message : String(error));
       this.#wrong.value = { ...this.#wrong.peek(), [name]: problem };
     }
   }

@@ -12,7 +12,7 @@ export const RATIOS = [1.2, 1.5, 2, 2.5] as const;
 
 export type Crumple = {
   readonly ratio: number;
-  /** Length of the matched curve over the template's, less 1. */
+  /** Length of the matched curve over the target's, less 1. */
   readonly excess: number;
   readonly end: LevelEnd;
 };
@@ -46,7 +46,7 @@ export const crumplingExperiment: Experiment = {
   title: "Fig. 5: crumpling under strong shrinking",
   paper:
     "On 33² nodes a circle matched with a much smaller one does not shrink: it folds up in waves within the band and keeps much of its length. The distance term cannot tell a smooth curve from a crumpled one closer than the grid's resolution.",
-  setup: `Circle of radius ${RADIUS} to one smaller by the ratio, 17² then 33² nodes, the paper's settings with α_bend = 0 and 1; the same with compression measured along the template (projected); and the defaults. Measured: the length of the matched curve over the small circle's perimeter, less 1.`,
+  setup: `Circle of radius ${RADIUS} to one smaller by the ratio, 17² then 33² nodes, the paper's settings with α_bend = 0 and 1; the same with compression measured along the target (projected); and the defaults. Measured: the length of the matched curve over the small circle's perimeter, less 1.`,
   example: () => ({ reference: circle(RADIUS), template: circle(RADIUS / 2), settings: { ...PAPER, finest: 5 } }),
   hasShortForm: false,
   async run(context) {
@@ -87,7 +87,7 @@ export const crumplingExperiment: Experiment = {
         "Why: W_mem punishes compression and W_vol shrinking of area, while within half a cell of the small circle the curve may wander at no cost. A wave of that amplitude keeps the length. At a ratio of 1.2 plain shrinking is still the cheaper way. Bending takes some of the excess off, not most of it: δ³ is small beside δ, and the waves are as short as the grid allows. The lengths also show what the mismatch cannot: a curve half a cell off everywhere may be half as long again as it should be.",
       ),
       text(
-        "Two cures. Projected compression is how much shorter the shell becomes along the template, not along itself: a wave that keeps the length is compressed all the same and saves nothing, so the circle shrinks. With the defaults it is the search that avoids the waves: where the template is much shorter, it is matched the other way round, by stretching, which has no waves, and the inverse is refined.",
+        "Two cures. Projected compression is how much shorter the shell becomes along the target, not along itself: a wave that keeps the length is compressed all the same and saves nothing, so the circle shrinks. With the defaults it is the search that avoids the waves: where the target is much shorter, it is matched the other way round, by stretching, which has no waves, and the inverse is refined.",
       ),
     ];
   },

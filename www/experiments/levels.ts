@@ -66,7 +66,7 @@ export const cascadeExperiment: Experiment = {
       {
         kind: "figure",
         name: "cascade",
-        caption: "The match after each level, and of the finest level alone. Blue: matched; orange: template.",
+        caption: "The match after each level, and of the finest level alone. Blue: matched; orange: target.",
         svg: panels(
           states.map(({ name, end }) => ({
             title: name,
@@ -81,7 +81,7 @@ export const cascadeExperiment: Experiment = {
         ),
       },
       text(
-        "A coarse level cannot resolve a finger's flank, so it moves fingers as wholes; the next level finds them in place. A single fine level sees flanks at once: it slides each to the nearest part of the template, or needs many more iterations to sort them out.",
+        "A coarse level cannot resolve a finger's flank, so it moves fingers as wholes; the next level finds them in place. A single fine level sees flanks at once: it slides each to the nearest part of the target, or needs many more iterations to sort them out.",
       ),
     ];
   },

@@ -94,7 +94,7 @@ export async function matchPolygons(context: Context, polygons: readonly Polygon
         "iterations",
         "mean mismatch, cells",
         "max",
-        "template missed by",
+        "target missed by",
         "least det Dφ",
         "stretch",
         "fits",

@@ -155,11 +155,11 @@ export const rotationExperiment: Experiment = {
         ),
       },
       text(
-        `Without bending both minimisers leave the curve within a degree of where it started: it slides onto the template the shortest way. The rotation would do better, but hardly: on the finest level the match found has the energy ${shown[0].energies.match.toPrecision(6)}, the exact rotation by 30° ${shown[0].energies.rotation.toPrecision(6)}. A rotation costs membrane and volume nothing either, so a thorough minimiser may drift towards it; nothing drives it there within any sensible tolerance. With bending the same two numbers are ${shown[1].energies.match.toPrecision(6)} for the match found and ${shown[1].energies.rotation.toPrecision(6)} for the rotation. What bending adds is the force, not the minimum.`,
+        `Without bending both minimisers leave the curve within a degree of where it started: it slides onto the target the shortest way. The rotation would do better, but hardly: on the finest level the match found has the energy ${shown[0].energies.match.toPrecision(6)}, the exact rotation by 30° ${shown[0].energies.rotation.toPrecision(6)}. A rotation costs membrane and volume nothing either, so a thorough minimiser may drift towards it; nothing drives it there within any sensible tolerance. With bending the same two numbers are ${shown[1].energies.match.toPrecision(6)} for the match found and ${shown[1].energies.rotation.toPrecision(6)} for the rotation. What bending adds is the force, not the minimum.`,
       ),
       text(saddleWords(saddle, FINEST[size])),
       text(
-        "Eq. (10) carries no factor δ³, so with weight 1 it outweighs the other terms: rotations up to 40° are met less exactly and with ten times the mismatch or more, and at 44.5° the curve does not reach the template. Reduced to 0.01 it finds every rotation in 2D, where the mean curvature is all the curvature there is; the case against it is made by surfaces.",
+        "Eq. (10) carries no factor δ³, so with weight 1 it outweighs the other terms: rotations up to 40° are met less exactly and with ten times the mismatch or more, and at 44.5° the curve does not reach the target. Reduced to 0.01 it finds every rotation in 2D, where the mean curvature is all the curvature there is; the case against it is made by surfaces.",
       ),
     ];
   },

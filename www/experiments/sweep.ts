@@ -18,13 +18,13 @@ export const SWEEPS: readonly Sweep[] = [
     name: "1/ε on 17²",
     field: "penalty",
     values: [10, 100, 1e3, 1e4, 1e5],
-    see: "The penalty pulls the curve onto the template: the mismatch falls as 1/ε grows, and the curve becomes as long as the template. Too small a penalty lets the shell cut off the features; a larger one than needed brings the cells closer to folding.",
+    see: "The penalty pulls the curve onto the target: the mismatch falls as 1/ε grows, and the curve becomes as long as the target. Too small a penalty lets the shell cut off the features; a larger one than needed brings the cells closer to folding.",
   },
   {
     name: "δ on 17²",
     field: "thickness",
     values: [0.05, 0.2, 0.5, 1, 2],
-    see: "A thin shell is nearly a membrane and spreads the stretch evenly. With thickness bending, which goes with δ³, gains on the membrane: curved parts look for curved parts, and the stretch in between has to differ. A shell too thick for the penalty does not reach the template at all.",
+    see: "A thin shell is nearly a membrane and spreads the stretch evenly. With thickness bending, which goes with δ³, gains on the membrane: curved parts look for curved parts, and the stretch in between has to differ. A shell too thick for the penalty does not reach the target at all.",
   },
   {
     name: "σ",
@@ -81,7 +81,7 @@ export const sweepExperiment: Experiment = {
       }
       blocks.push(
         text(see),
-        table([name, "mean mismatch, cells", "max", "stretch", "length / template's", "least det Dφ"], rows),
+        table([name, "mean mismatch, cells", "max", "stretch", "length / target's", "least det Dφ"], rows),
       );
     }
     return blocks;

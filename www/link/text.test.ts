@@ -143,7 +143,7 @@ describe("what damage and other hands make of a link", () => {
     ["v=2&reference=AAAA", "loop 0 of the reference is cut off"],
     ["v=2&reference=*", "loop 0 of the reference is damaged"],
     ["v=2&reference=AAD__AAA", "loop 0 of the reference is too long"],
-    ["v=1&reference=", "the template is missing"],
+    ["v=1&reference=", "the target is missing"],
     ["v=2&preset=star&bending=much", "Bending is “much”, but must be a number from 0 to 100"],
     ["v=2&preset=star&align=sideways", "Start from is “sideways”, but must be one of similarity, none"],
     ["v=2&preset=star&view=toString", "there is no view called “toString”"],

@@ -110,7 +110,7 @@ function shapesFrom(query: URLSearchParams, read: Reader): Pick<Saved, "referenc
   return { reference: preset.reference, template: preset.template, preset: id };
 }
 
-function shapeFrom(text: string | null, side: string, read: Reader): Shape {
+function shapeFrom(text: string | null, side: "reference" | "template", read: Reader): Shape {
   if (text === null) throw new Error(say.missing(side));
   if (text === "") return [];
   return text.split(".").map((part, index) => {

@@ -4,12 +4,12 @@ import type { Point } from "../shapes/geometry";
 import { page } from "../words/language";
 import { decimals } from "../words/numbers";
 import { place } from "../words/place";
-
-type Side = "reference" | "template";
+import { SIDES, type Side } from "../words/sides";
 
 export const actions = page("pinActions", {
-  first: "Press a point of the reference, then its partner on the template.",
-  partner: (number: number, side: Side) => `Now the partner of pin ${number}: press where it belongs on the ${side}.`,
+  first: "Press a point of the reference, then its partner on the target.",
+  partner: (number: number, side: Side) =>
+    `Now the partner of pin ${number}: press where it belongs on the ${SIDES[side]}.`,
   chosen: (index: number) => `Pin ${index + 1}: drag either end, or delete it.`,
   delete: (index: number) => `Delete pin ${index + 1}`,
   deleteAll: "Delete all pins",
@@ -17,7 +17,7 @@ export const actions = page("pinActions", {
 
 /** Spoken, pins counted from 0. */
 export const told = page("pinsTold", {
-  begun: (index: number, side: Side, at: Point) => `Pin ${index + 1} begun on the ${side}: ${place(at)}.`,
+  begun: (index: number, side: Side, at: Point) => `Pin ${index + 1} begun on the ${SIDES[side]}: ${place(at)}.`,
   set: (index: number, from: Point, to: Point) => `Pin ${index + 1} set: ${place(from)} goes to ${place(to)}.`,
   moved: (index: number, at: Point) => `Pin ${index + 1} moved: ${place(at)}.`,
   chosen: (index: number, at: Point) => `Pin ${index + 1} chosen: ${place(at)}.`,

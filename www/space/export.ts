@@ -14,8 +14,8 @@ export function ply(result: Result): string {
   const lines = [
     "ply",
     "format ascii 1.0",
-    "comment thinshell: the reference, moved onto the template; lengths in units of the box",
-    `comment distance in cells of the ${2 ** frame.status.level + 1}^3 grid; partner: the template's nearest vertex, from 0`,
+    "comment thinshell: the reference, moved onto the target; lengths in units of the box",
+    `comment distance in cells of the ${2 ** frame.status.level + 1}^3 grid; partner: the target's nearest vertex, from 0`,
     `element vertex ${count}`,
     ...["x", "y", "z", "reference_x", "reference_y", "reference_z"].map((name) => `property double ${name}`),
     ...["area_ratio", "distance"].map((name) => `property double ${name}`),

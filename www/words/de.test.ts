@@ -25,7 +25,7 @@ function status(facts: readonly number[], more: Partial<Status> = {}): Status {
     stretch: { mean: 1, deviation: 0 },
     measure: 1,
     verdict: "Fits: nowhere more than 0.03 cells off.",
-    approach: "Matching the reference with the template",
+    approach: "Matching the reference with the target",
     facts: Float64Array.from(facts),
     ...more,
   };

@@ -4,8 +4,7 @@ import type { Point } from "../shapes/geometry";
 import { page } from "./language";
 import { written } from "./numbers";
 import { place } from "./place";
-
-type Side = "reference" | "template";
+import { SIDES, type Side } from "./sides";
 
 export const guides = page("guides", {
   circle: "Press where the middle is to be, and drag outwards.",
@@ -54,9 +53,9 @@ export const told = page("told", {
   circleGivenUp: "The circle is given up.",
   rounded: (percent: number, side: Side) =>
     percent === 0
-      ? `The curve of the ${side} is as it was drawn.`
-      : `The curve of the ${side} is smoothed by ${percent} %.`,
-  curveDeleted: (side: Side) => `Curve deleted from the ${side}.`,
+      ? `The curve of the ${SIDES[side]} is as it was drawn.`
+      : `The curve of the ${SIDES[side]} is smoothed by ${percent} %.`,
+  curveDeleted: (side: Side) => `Curve deleted from the ${SIDES[side]}.`,
 });
 
 function points(count: number): string {

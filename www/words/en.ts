@@ -5,8 +5,7 @@ import type { View } from "../view/names";
 import { CRUMPLED, FITS } from "./facts";
 import { page } from "./language";
 import { decimals } from "./numbers";
-
-type Side = "reference" | "template";
+import { SIDES, type Side, sidesSaid } from "./sides";
 
 export const en = page("en", {
   /** What a press does. */
@@ -31,17 +30,18 @@ export const en = page("en", {
   },
 
   sketch: {
-    names: { reference: "Reference", template: "Template" },
+    names: { reference: "Reference", template: "Target" },
     surface: { reference: "Reference shape", template: "Template shape" },
     clear: "Clear",
+    /** As the surfaces' own, a name by which the page is driven. */
     clearSide: (side: Side) => `Clear ${side}`,
     invitation: "Draw a closed curve here",
   },
 
   imports: {
     name: "Import",
-    of: (side: Side) => `Import ${side}`,
-    help: (side: Side) => `Take the ${side} from a drawing, a picture, a list of points or the gallery`,
+    of: (side: Side) => `Import ${SIDES[side]}`,
+    help: (side: Side) => `Take the ${SIDES[side]} from a drawing, a picture, a list of points or the gallery`,
     what: "The import",
     loading: "Loading the import …",
   },
@@ -70,7 +70,7 @@ export const en = page("en", {
 
   solver: {
     /** What the solver says in English, above all why it refuses; in other languages it is said again. */
-    words: (english: string) => english,
+    words: sidesSaid,
     refused:
       "The solver could not be started, because the browser refuses the page's worker. Reload the page, and let its security policy allow “worker-src blob:”; a browser extension may forbid workers, too",
     stopped: (why: string) =>
@@ -97,7 +97,7 @@ export const en = page("en", {
   examples: {
     title: "Or start from an example",
     gallery: "Open the gallery",
-    galleryHelp: "Countries, animals and things, to be taken as reference or template",
+    galleryHelp: "Countries, animals and things, to be taken as reference or target",
   },
 
   view: "View",
@@ -178,7 +178,7 @@ export const en = page("en", {
     help: "The result alone on the whole screen, in large type",
   },
 
-  enlarge: { what: "The large surface", begin: (side: Side) => `Enlarge ${side}` },
+  enlarge: { what: "The large surface", begin: (side: Side) => `Enlarge ${SIDES[side]}` },
 
   guess: { begin: "Guess first", another: "Another point", end: "Done" },
 

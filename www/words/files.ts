@@ -10,7 +10,7 @@ export const files = page("files", {
   noPicture: "The browser could not make the picture; it may be short of memory.",
   noCanvas: "The browser gives no canvas to draw the picture on.",
   matchTitle: "Deformed grid and matched curve",
-  shapesTitle: "Reference and template",
+  shapesTitle: "Reference and target",
 
   version: (found: string, known: number) => `The file is of version ${found}; this page reads version ${known}.`,
   setting: (name: string) => `The file has a setting “${name}”, which this page does not know.`,

@@ -1,8 +1,7 @@
 /** What the import dialog and the gallery say themselves; the readers of files have sentences of their own. */
 
 import { page } from "./language";
-
-type Side = "reference" | "template";
+import { SIDES, type Side } from "./sides";
 
 export const imports = page("imports", {
   /** What the import says in English of what it reads; in other languages it is said again. */
@@ -10,7 +9,7 @@ export const imports = page("imports", {
   close: "Close",
   pastedText: "the pasted text",
   picture: "the picture",
-  useAs: (side: Side) => `Use as ${side}`,
+  useAs: (side: Side) => `Use as ${SIDES[side]}`,
   preparing: "Preparing the shape …",
   reading: "Reading …",
   name: "Import",
@@ -24,7 +23,7 @@ export const imports = page("imports", {
   savedMatch: (grid: string) => `A saved match on the ${grid} grid, with its shapes and settings.`,
   savedShapes: "Two saved shapes with their settings, not yet matched.",
   openAll: "Open everything",
-  only: { reference: "Only the reference", template: "Only the template" },
+  only: { reference: "Only the reference", template: "Only the target" },
   preview: (what: string) => `Preview: ${what}`,
   nothing: "nothing to show",
   counts: (loops: number, points: number) => `${loops} ${loops === 1 ? "loop" : "loops"}, ${points} points`,

@@ -26,6 +26,7 @@ import "./offline";
 import { place } from "./place";
 import "./recent";
 import "./save";
+import { sidesSaid } from "./sides";
 import "./space";
 import "./strokes";
 import "./tools";
@@ -124,6 +125,41 @@ test("no sentence of the one is left in the other", () => {
     }
   }
   expect(left).toEqual([]);
+});
+
+/** Names by which the page is driven stay; the sides of a grid and of a comparison are other sides. */
+const OTHERWISE = [
+  ...["/en/sketch/surface", "/en/sketch/clearSide", "/space/surface"],
+  ...["/en/result/on", "/later/compare/"],
+];
+
+test("no English sentence says template: the shape aimed at is the target", () => {
+  const wrong = [...pages]
+    .flatMap(([name, held]) => leaves(held, `/${name}`))
+    .filter(([path]) => !OTHERWISE.some((known) => path.startsWith(known)))
+    .map(([path, value]) => `${path}: ${typeof value === "function" ? ofTemplate(value as Make) : value}`)
+    .filter((line) => /\btemplate/i.test(line.slice(line.indexOf(":"))));
+  expect(wrong).toEqual([]);
+  expect(ofTemplate(en.imports.of as Make)).toBe("Import target");
+});
+
+type Make = (...given: never[]) => unknown;
+
+/** A function's sentence where it is told of the template; of others whatever they say of made-up values. */
+function ofTemplate(make: Make): string {
+  const names = /^\(?([^)=]*)/.exec(String(make))?.[1].split(",") ?? [];
+  const given = names.map((name) => (["side", "from"].includes(name.trim()) ? "template" : 2));
+  try {
+    return String(make(...(given as never[])));
+  } catch {
+    return "";
+  }
+}
+
+test("what the solver refuses names the target, and is otherwise as it is", () => {
+  const fits = 'the template leaves the box on the right; press "Fit"';
+  expect(sidesSaid(fits)).toBe('the target leaves the box on the right; press "Fit"');
+  expect(sidesSaid("the reference has no points")).toBe("the reference has no points");
 });
 
 /** Words that no German sentence has. */

@@ -3,8 +3,7 @@
 import type { View } from "../view/names";
 import { en } from "./en";
 import { page } from "./language";
-
-type Side = "reference" | "template";
+import { SIDES, type Side } from "./sides";
 
 export const later = page("later", {
   settings: {
@@ -89,14 +88,14 @@ export const later = page("later", {
   },
 
   enlarged: {
-    begun: (side: Side) => `The ${side} fills the screen; Done leads back.`,
+    begun: (side: Side) => `The ${SIDES[side]} fills the screen; Done leads back.`,
     undo: "Undo",
     redo: "Redo",
-    other: (side: Side) => `To the ${side}`,
+    other: (side: Side) => `To the ${SIDES[side]}`,
     done: "Done",
   },
 
-  gallery: { title: "Gallery", importing: (side: Side) => `Import a ${side}` },
+  gallery: { title: "Gallery", importing: (side: Side) => `Import a ${SIDES[side]}` },
 
   present: { keys: "Space plays, ← → step, v next view, Esc leaves" },
 

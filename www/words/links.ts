@@ -1,6 +1,7 @@
 /** What the page says of links that it cannot read. */
 
 import { page } from "./language";
+import { SIDES, type Side } from "./sides";
 
 /** Characters of what was given that a sentence repeats. */
 const LONGEST = 40;
@@ -17,8 +18,8 @@ export const links = page("links", {
   foreign: "it is no link of this page",
   version: (version: string) => `version “${brief(version)}” is not known`,
   noExample: (id: string) => `there is no example called “${brief(id)}”`,
-  missing: (what: string) => `the ${what} is missing`,
-  loop: (index: number, side: string) => `loop ${index} of the ${side}`,
+  missing: (side: Side) => `the ${SIDES[side]} is missing`,
+  loop: (index: number, side: Side) => `loop ${index} of the ${SIDES[side]}`,
   pins: "the list of pins",
   damaged: (what: string) => `${what} is damaged`,
   cutOff: (what: string) => `${what} is cut off`,

@@ -2,8 +2,7 @@
 
 import { page } from "./language";
 import { written } from "./numbers";
-
-type Side = "reference" | "template";
+import { SIDES, type Side } from "./sides";
 
 export const space = page("space", {
   leave: "Back to curves",
@@ -13,10 +12,10 @@ export const space = page("space", {
     "Choose two closed surfaces: space, with a thin shell along the first, is deformed until it lies on the second.",
   examples: "Or start from an example",
 
-  sides: { reference: "Reference", template: "Template" },
+  sides: { reference: "Reference", template: "Target" },
   surface: { reference: "Reference shape", template: "Template shape" },
-  choose: (side: Side) => `Surface of the ${side}`,
-  open: (side: Side) => `Open a file as ${side}`,
+  choose: (side: Side) => `Surface of the ${SIDES[side]}`,
+  open: (side: Side) => `Open a file as ${SIDES[side]}`,
   file: "File",
   actions: {
     match: "Match",
@@ -26,7 +25,7 @@ export const space = page("space", {
     undo: "Undo",
     redo: "Redo",
     swap: "Swap",
-    swapHelp: "The reference becomes the template, and the other way round",
+    swapHelp: "The reference becomes the target, and the other way round",
     link: "Copy link",
     copied: "Copied",
     address: "See address bar",
@@ -37,13 +36,13 @@ export const space = page("space", {
 
   pins: {
     set: "Set pins",
-    help: "Points of the reference tied to points of the template",
+    help: "Points of the reference tied to points of the target",
     deleteAll: "Delete all pins",
-    name: (number: number, side: Side) => `Pin ${number} on the ${side}`,
+    name: (number: number, side: Side) => `Pin ${number} on the ${SIDES[side]}`,
     guide:
       "Press a point of either surface, then its partner on the other one. By keys: turn the point to the cross in the middle, then Enter.",
     begun: (number: number, side: Side) =>
-      `Pin ${number} begins on the ${side}: now press its partner on the ${side === "reference" ? "template" : "reference"}, or Escape.`,
+      `Pin ${number} begins on the ${SIDES[side]}: now press its partner on the ${SIDES[side === "reference" ? "template" : "reference"]}, or Escape.`,
     keys: "Pins are dragged along their surface, or moved by arrow keys; Delete takes one away.",
   },
 
@@ -56,10 +55,9 @@ export const space = page("space", {
   },
   captions: {
     colours:
-      "Equal colours are matched points: each point of the reference keeps its colour and its lines, and the template shows those of its partners.",
+      "Equal colours are matched points: each point of the reference keeps its colour and its lines, and the target shows those of its partners.",
     area: "How much the surface grows: the area around each point after the match over the area before.",
-    distance:
-      "How far each point of the moved reference lies from the template, in cells of the grid that was matched.",
+    distance: "How far each point of the moved reference lies from the target, in cells of the grid that was matched.",
     slice:
       "Space is cut along a plane of the undeformed grid: the net is where the deformation takes it, the strong line where it takes the curve that the plane cuts out of the reference.",
   },
@@ -67,9 +65,9 @@ export const space = page("space", {
   waiting: "Colours and maps come with the match.",
   legend: "What the colours mean",
   area: "Area ratio",
-  distance: "Distance to the template",
+  distance: "Distance to the target",
   cells: "cells",
-  target: "The template as a veil",
+  target: "The target as a veil",
   plane: "Across",
   axes: ["width", "height", "depth"],
   at: "Plane at",
@@ -164,7 +162,7 @@ export const space = page("space", {
     notRead: (why: string) => `The link could not be read: ${why}.`,
     number: (text: string) => `“${text.slice(0, 60)}” is not what it should be`,
     unknown: (id: string) => `there is no surface “${id}” in the gallery`,
-    elsewhere: (side: Side) => `the ${side} is a file that is kept in another browser only, or no more`,
+    elsewhere: (side: Side) => `the ${SIDES[side]} is a file that is kept in another browser only, or no more`,
     notWhole: "The link holds settings, view and camera, but not the file's mesh: that is kept in this browser only.",
     notKept: "This browser keeps no files: after a reload the dropped mesh has to be opened again.",
   },

@@ -3,8 +3,7 @@
 import type { Fault } from "../shapes/judge";
 import { page } from "./language";
 import { decimals } from "./numbers";
-
-type Side = "reference" | "template";
+import { SIDES, type Side } from "./sides";
 
 export const strokes = page("strokes", {
   faults: {
@@ -20,10 +19,12 @@ export const strokes = page("strokes", {
     border: "Move it inside",
   },
   /** Spoken when a shape is another one, or has another number of curves than before. */
-  changed: (side: Side) => `The ${side} has changed.`,
+  changed: (side: Side) => `The ${SIDES[side]} has changed.`,
   curves: (side: Side, count: number) => {
-    if (count === 0) return `The ${side} is empty now.`;
-    return count === 1 ? `The ${side} is one closed curve now.` : `The ${side} has ${count} closed curves now.`;
+    if (count === 0) return `The ${SIDES[side]} is empty now.`;
+    return count === 1
+      ? `The ${SIDES[side]} is one closed curve now.`
+      : `The ${SIDES[side]} has ${count} closed curves now.`;
   },
 });
 

@@ -42,7 +42,7 @@ export const levelsExperiment: SolidExperiment = {
           "nodes",
           `mean mismatch, cells of ${nodes(finest)}`,
           "max",
-          "template missed by, max",
+          "target missed by, max",
           "least det Dφ",
           "area ratio",
           "time since start",
@@ -61,7 +61,7 @@ export const levelsExperiment: SolidExperiment = {
         kind: "figure",
         name: "surface-figure",
         caption:
-          "The reference, the match after each level, and the template: equal colours and lines are matched points.",
+          "The reference, the match after each level, and the target: equal colours and lines are matched points.",
         svg: panels(
           [
             { title: "Reference", picture: await picture({ positions, indices, places: positions }, side) },
@@ -73,7 +73,7 @@ export const levelsExperiment: SolidExperiment = {
               })),
             )),
             {
-              title: "Template",
+              title: "Target",
               picture: await picture({ ...target, places: target.positions.map(() => Number.NaN) }, side),
             },
           ],

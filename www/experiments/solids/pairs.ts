@@ -48,7 +48,7 @@ export const pairsExperiment: SolidExperiment = {
   paper:
     "Pairs of complex surfaces are matched by the thin shell and by volume energy alone. Both bring one surface onto the other; only the shell carries features to features.",
   setup:
-    "Pairs of the page's gallery and one whose correspondence is known, from the identity, with default weights; “volume only” leaves out membrane, bending and the mismatch's H¹ part. Distances both ways: of the moved reference to the template, and of the template to the moved reference; the least determinant is a certified bound (Bernstein coefficients). The area ratio is that of the matched surface.",
+    "Pairs of the page's gallery and one whose correspondence is known, from the identity, with default weights; “volume only” leaves out membrane, bending and the mismatch's H¹ part. Distances both ways: of the moved reference to the target, and of the target to the moved reference; the least determinant is a certified bound (Bernstein coefficients). The area ratio is that of the matched surface.",
   example: { reference: "hound", template: "hound-trotting", settings: { align: "none" } },
   hasShortForm: true,
   async run(context, size) {
@@ -88,7 +88,7 @@ export const pairsExperiment: SolidExperiment = {
         [
           "pair",
           "energies",
-          "to the template, mean / max, cells",
+          "to the target, mean / max, cells",
           "back, mean / max",
           "least det Dφ",
           "area ratio",

@@ -77,7 +77,7 @@ function choices(all: readonly Figure[], notes: Set<string>, report: (done: numb
   return { kind: "shapes", choices: some, notes: [...notes], firstIsAll: true };
 }
 
-const SIDES: Record<string, string> = { reference: "Reference", template: "Template", matched: "Matched reference" };
+const SIDES: Record<string, string> = { reference: "Reference", template: "Target", matched: "Matched reference" };
 
 /** A drawing of this page: its shapes lie in the box already and go back to where they were. */
 function ownChoices(figures: readonly Figure[]): FoundShapes {

@@ -3,15 +3,11 @@
 import type { Book } from "../book";
 import { brief } from "../links";
 import { written } from "../numbers";
+import type { Side } from "../sides";
 import { again } from "./again";
 import { SILHOUETTES } from "./silhouettes";
 
-const NAMES: Readonly<Record<string, string>> = { reference: "Referenz", template: "Ziel" };
-
-/** Was in einem Link steht, beim Namen genannt. */
-function named(what: string): string {
-  return NAMES[what] ?? what;
-}
+const NAMES: Readonly<Record<Side, string>> = { reference: "Referenz", template: "Ziel" };
 
 export const links: Book["links"] = {
   unread: (why) =>
@@ -21,13 +17,13 @@ export const links: Book["links"] = {
   foreign: "er ist kein Link dieser Seite",
   version: (version) => `die Version „${brief(version)}“ ist unbekannt`,
   noExample: (id) => `es gibt kein Beispiel namens „${brief(id)}“`,
-  missing: (what) => `es fehlt: ${named(what)}`,
-  loop: (index, side) => `Kurve ${index} (${named(side)})`,
+  missing: (side) => `es fehlt: ${NAMES[side]}`,
+  loop: (index, side) => `Kurve ${index} (${NAMES[side]})`,
   pins: "Liste der Nadeln",
-  damaged: (what) => `beschädigt: ${named(what)}`,
-  cutOff: (what) => `abgeschnitten: ${named(what)}`,
-  tooLong: (what) => `zu lang: ${named(what)}`,
-  tooFew: (what) => `weniger als drei Punkte: ${named(what)}`,
+  damaged: (what) => `beschädigt: ${what}`,
+  cutOff: (what) => `abgeschnitten: ${what}`,
+  tooLong: (what) => `zu lang: ${what}`,
+  tooFew: (what) => `weniger als drei Punkte: ${what}`,
   manyPins: (most) => `es sind mehr als ${most} Nadeln`,
   pinOutside: "eine Nadel liegt außerhalb des Quadrats",
   noView: (view) => `es gibt keine Ansicht namens „${brief(view)}“`,

@@ -1,6 +1,7 @@
 /** Die beiden Formen in ihren Fällen. */
 
-type Side = "reference" | "template";
+import type { Side } from "../sides";
+
 type Cases = Readonly<Record<Side, string>>;
 
 export const DER: Cases = { reference: "die Referenz", template: "das Ziel" };

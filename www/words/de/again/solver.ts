@@ -88,7 +88,7 @@ export const solver: Patterns = {
   "The largest distance is {cells} cells, at {at}.": "Der größte Abstand ist {cells} Zellen, bei {at}.",
   "The reference is thinner than the grid at {at}; choose a finer one.":
     "Die Referenz ist bei {at} dünner, als das Gitter sieht; wählen Sie ein feineres.",
-  "The template is thinner than the grid at {at}; choose a finer one.":
+  "The target is thinner than the grid at {at}; choose a finer one.":
     "Das Ziel ist bei {at} dünner, als das Gitter sieht; wählen Sie ein feineres.",
   "{from} parts against {to}: no deformation takes the one shape to the other.":
     "{from} Teile gegen {to}: Keine Verformung führt die eine Form in die andere über.",

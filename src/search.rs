@@ -31,6 +31,8 @@ use std::rc::Rc;
 const REFINEMENT: usize = 5;
 /// Iterations of a round of sharpening: then it is looked again for what is still missed.
 const SHARPENING: usize = 12;
+/// Iterations between two looks whether a match is sharp enough already.
+const LOOK: usize = 4;
 /// Iterations on the finest level after which a run is judged: those that take more creep, and sharpening gets farther.
 const EXPLORATION: usize = 28;
 
@@ -149,7 +151,7 @@ impl<const D: usize> Search<D> {
     pub async fn step(&mut self) -> SearchProgress {
         if self.stop.is_none() {
             self.inverse.take();
-            if self.is_hopeless() {
+            if self.is_hopeless() || self.is_sharp() {
                 self.run.limit(0);
             }
             if let Some(stop) = self.run.step().await.stop {
@@ -166,6 +168,15 @@ impl<const D: usize> Search<D> {
             && self.plan.will_lead(self.approach)
             && can_guide(&self.shapes)
             && Fit::of(self.approach, &report(shell, aim, self.run.displacement())).is_hopeless()
+    }
+
+    /// Whether nothing is left to sharpen.
+    fn is_sharp(&self) -> bool {
+        let iteration = self.run.progress().iteration;
+        matches!(self.approach, Approach::Sharpened(_))
+            && iteration > 0
+            && iteration.is_multiple_of(LOOK)
+            && self.fit().is_fine()
     }
 
     /// Judges the run that has ended and begins the next one, or ends the search.

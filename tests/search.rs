@@ -18,8 +18,8 @@ const CENTRE: [f64; 2] = [0.5, 0.5];
 struct Outcome {
     /// In their order.
     approaches: Vec<Approach>,
-    /// Those that took iterations on the finest level.
-    refined: Vec<Approach>,
+    /// Those that took iterations on the finest level, with the most that one run took.
+    refined: Vec<(Approach, usize)>,
     report: Report<2>,
     least_determinant: f64,
     stop: Stop,
@@ -30,11 +30,14 @@ fn run(settings: Settings, reference: &[Vec<DVec2>], template: &[Vec<DVec2>]) ->
     let [from, to] = [reference, template].map(|loops| SignedDistance::from_loops(grid, loops).expect("a valid shape"));
     let mut search = ready(Search::new(from.clone(), to.clone(), settings)).expect("valid settings");
     let mut approaches = vec![search.progress().approach];
-    let mut refined = Vec::new();
+    let mut refined: Vec<(Approach, usize)> = Vec::new();
     loop {
         let progress = ready(search.step());
-        if progress.level == settings.finest && progress.iteration > 0 && !refined.contains(&progress.approach) {
-            refined.push(progress.approach);
+        if progress.level == settings.finest && progress.iteration > 0 {
+            match refined.iter_mut().find(|(approach, _)| *approach == progress.approach) {
+                Some((_, most)) => *most = progress.iteration.max(*most),
+                None => refined.push((progress.approach, progress.iteration)),
+            }
         }
         if let Some(stop) = progress.stop {
             let report = report(&from, &to, search.displacement());
@@ -104,7 +107,7 @@ fn gap_disc(width: f64) -> Vec<DVec2> {
 fn a_deep_gap_is_entered_along_corresponding_points() {
     let outcome = run(finest(7), &[circle(CENTRE, 0.25)], &[gap_disc(0.1)]);
     assert_eq!(outcome.approaches[..2], [Approach::Direct, Approach::Guided]);
-    assert_eq!(outcome.refined[0], Approach::Guided, "the finest level is not wasted on a shell that stays out");
+    assert_eq!(outcome.refined[0].0, Approach::Guided, "the finest level is not wasted on a shell that stays out");
     assert!(outcome.report.cover.max < 2.0, "{:?}", outcome.report);
     assert!(outcome.least_determinant > 0.0);
 }
@@ -136,6 +139,16 @@ fn details_are_sharpened() {
     assert_eq!(outcome.approaches, [Approach::Direct].into_iter().chain(rounds).collect::<Vec<_>>());
     assert!(outcome.approaches.len() > 1, "{:?}", outcome.approaches);
     assert!(is_good(&outcome), "{:?}", outcome.report);
+}
+
+#[test]
+fn a_round_of_sharpening_ends_when_nothing_is_left_to_sharpen() {
+    for (depth, iterations) in [(0.25, 4), (0.3, 8)] {
+        let outcome = run(finest(6), &[circle(CENTRE, 0.24)], &[star(CENTRE, 0.24, 8, depth, 0.1)]);
+        assert_eq!(outcome.refined.last(), Some(&(Approach::Sharpened(1), iterations)), "depth {depth}");
+        let Report { mismatch, cover, .. } = outcome.report;
+        assert!(mismatch.max <= 0.25 && cover.max <= 0.5, "depth {depth}: {mismatch:?} {cover:?}");
+    }
 }
 
 #[test]

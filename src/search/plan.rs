@@ -148,7 +148,7 @@ impl Fit {
         self.is_close() && self.measure <= GOOD_MEASURE
     }
 
-    fn is_fine(&self) -> bool {
+    pub fn is_fine(&self) -> bool {
         self.mismatch <= FINE_MISMATCH && self.cover <= FINE_COVER
     }
 

@@ -2,12 +2,15 @@
 
 mod band;
 mod cpu;
+mod device;
 #[cfg(feature = "gpu")]
 mod gpu;
 #[cfg(any(test, feature = "gpu"))]
 mod shaders;
 
 pub use cpu::CpuAssembler;
+pub(crate) use device::AnyAssembler;
+pub use device::Device;
 #[cfg(feature = "gpu")]
 pub use gpu::{Gpu, GpuAssembler};
 

@@ -3,7 +3,7 @@
 mod level;
 mod start;
 
-use crate::assemble::{Assembler, Evaluation};
+use crate::assemble::{Assembler, Device, Evaluation};
 use crate::distance::SignedDistance;
 use crate::energy::{Energies, Pin};
 use crate::error::Error;
@@ -20,6 +20,7 @@ const GREATEST_ENERGY: f64 = 1e18;
 /// One run from the first level to the finest: a shell is drawn onto its aim.
 pub struct Cascade<const D: usize> {
     settings: Settings,
+    device: Device,
     /// The shell and its aim on the finest level.
     shapes: [Rc<SignedDistance<D>>; 2],
     ties: Ties<D>,
@@ -69,7 +70,7 @@ impl<const D: usize> Cascade<D> {
     /// A setting out of range, or no finite energy to begin with.
     pub async fn new(shell: SignedDistance<D>, aim: SignedDistance<D>, settings: Settings) -> Result<Self, Error> {
         settings.validate()?;
-        Self::begin([Rc::new(shell), Rc::new(aim)], Ties::default(), settings).await
+        Self::begin([Rc::new(shell), Rc::new(aim)], Ties::default(), settings, Device::default()).await
     }
 
     /// With valid settings, from the start that they ask for.
@@ -77,14 +78,15 @@ impl<const D: usize> Cascade<D> {
         shapes: [Rc<SignedDistance<D>>; 2],
         ties: Ties<D>,
         settings: Settings,
+        device: Device,
     ) -> Result<Self, Error> {
-        let mut level = Level::new(first_level(&settings, &shapes), &settings, &shapes, &ties, None);
+        let mut level = Level::new(first_level(&settings, &shapes), &settings, &device, &shapes, &ties, None);
         let mut evaluations = 1;
         if settings.alignment == Alignment::Similarity {
             let displacement = start::find(&mut level.assembler, &shapes, &settings, &mut evaluations).await;
             level.restart(&settings, displacement);
         }
-        Self::at(shapes, ties, settings, level, evaluations).await
+        Self::at(shapes, ties, settings, device, level, evaluations).await
     }
 
     /// From a displacement on a grid, taken to the level of that number or the nearest one that the settings have and
@@ -93,6 +95,7 @@ impl<const D: usize> Cascade<D> {
         shapes: [Rc<SignedDistance<D>>; 2],
         ties: Ties<D>,
         settings: Settings,
+        device: Device,
         number: u32,
         mut grid: Grid<D>,
         mut displacement: Vec<f64>,
@@ -106,15 +109,16 @@ impl<const D: usize> Cascade<D> {
             displacement = coarsen(grid, &displacement);
             grid = Grid::new(grid.cells() / 2);
         }
-        let mut level = Level::new(number, &settings, &shapes, &ties, Some(displacement));
+        let mut level = Level::new(number, &settings, &device, &shapes, &ties, Some(displacement));
         level.unfold(&settings).await;
-        Self::at(shapes, ties, settings, level, 1).await
+        Self::at(shapes, ties, settings, device, level, 1).await
     }
 
     async fn at(
         shapes: [Rc<SignedDistance<D>>; 2],
         ties: Ties<D>,
         settings: Settings,
+        device: Device,
         mut level: Level<D>,
         past_evaluations: usize,
     ) -> Result<Self, Error> {
@@ -124,7 +128,7 @@ impl<const D: usize> Cascade<D> {
         let evaluation = level.energy().await;
         check_energy(&evaluation)?;
         let progress = Progress { evaluation, iterations: 0, evaluations: 0, stop: None };
-        Ok(Self { settings, shapes, ties, level, limit: usize::MAX, past_evaluations, progress })
+        Ok(Self { settings, device, shapes, ties, level, limit: usize::MAX, past_evaluations, progress })
     }
 
     /// Ends the finest level after this many iterations.
@@ -143,7 +147,7 @@ impl<const D: usize> Cascade<D> {
             let displacement = prolongate(self.grid(), self.level.displacement());
             self.past_evaluations += self.progress.evaluations;
             let number = self.level.number + 1;
-            self.level = Level::new(number, &self.settings, &self.shapes, &self.ties, Some(displacement));
+            self.level = Level::new(number, &self.settings, &self.device, &self.shapes, &self.ties, Some(displacement));
             self.level.unfold(&self.settings).await;
             self.progress = Progress { iterations: 0, evaluations: 0, stop: None, ..self.progress };
         }
@@ -187,9 +191,14 @@ impl<const D: usize> Cascade<D> {
         self.level.shapes()
     }
 
-    /// Energies and gradient of the current level at any displacement.
+    /// What computes the current level.
+    pub fn backend(&self) -> String {
+        self.level.assembler.backend()
+    }
+
+    /// Energies and gradient of the current level at any displacement, by the processor.
     pub async fn evaluate(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation {
-        self.level.assembler.gradient(displacement, gradient).await
+        self.level.assembler.twin().gradient(displacement, gradient).await
     }
 }
 

@@ -26,6 +26,9 @@ pub enum Error {
         fixed(*gigabytes, 1)
     )]
     Memory { gigabytes: f64, finest: u32 },
+    /// A graphics card is insisted on.
+    #[error("backend is \"gpu\", but {reason}; choose \"auto\" or \"cpu\"")]
+    NoCard { reason: String },
     /// Weights, or a level set, out of all proportion.
     #[error(
         "the {term} energy is {} before anything has moved, more than numbers of this precision can balance ({} at most); choose smaller weights, or level sets that are distances",

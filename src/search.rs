@@ -10,7 +10,7 @@ mod plan;
 
 pub use plan::Approach;
 
-use crate::assemble::{Assembler, CpuAssembler, Evaluation};
+use crate::assemble::{Assembler, CpuAssembler, Device, Evaluation};
 use crate::cascade::{Cascade, Ties};
 use crate::distance::SignedDistance;
 use crate::energy::Pin;
@@ -39,6 +39,7 @@ const EXPLORATION: usize = 28;
 /// A registration under way.
 pub struct Search<const D: usize> {
     settings: Settings,
+    device: Device,
     /// Reference and template on the finest level.
     shapes: [Rc<SignedDistance<D>>; 2],
     pins: Rc<[Pin<D>]>,
@@ -96,6 +97,7 @@ impl<const D: usize> Search<D> {
         pins: &[Pin<D>],
     ) -> Result<Self, Error> {
         settings.validate()?;
+        let device = Device::open(settings.backend).await?;
         let pins: Rc<[Pin<D>]> = pins.into();
         let shapes = [Rc::new(reference), Rc::new(template)];
         let mut plan = match settings.alignment {
@@ -103,12 +105,14 @@ impl<const D: usize> Search<D> {
             Alignment::Similarity => Plan::of(&shapes[0], &shapes[1]),
         };
         let approach = plan.next(None, None).expect("a plan has a first approach");
-        let mut run = Cascade::begin(in_direction(&shapes, approach), tied(&pins, approach), settings).await?;
+        let mut run =
+            Cascade::begin(in_direction(&shapes, approach), tied(&pins, approach), settings, device.clone()).await?;
         if !plan.is_single() {
             run.limit(settings.minimizer.iterations(EXPLORATION));
         }
         Ok(Self {
             settings,
+            device,
             shapes,
             pins,
             approach,
@@ -135,14 +139,16 @@ impl<const D: usize> Search<D> {
         pins: &[Pin<D>],
     ) -> Result<(), Error> {
         settings.validate()?;
+        let device = Device::open(settings.backend).await?;
         let shapes = [Rc::new(reference), Rc::new(template)];
         let displacement = self.displacement().to_vec();
         let pins: Rc<[Pin<D>]> = pins.into();
         let (ties, level) = (Ties::of(pins.clone()), self.progress().level);
-        let run = Cascade::resume(shapes.clone(), ties, settings, level, self.grid(), displacement).await?;
+        let run =
+            Cascade::resume(shapes.clone(), ties, settings, device.clone(), level, self.grid(), displacement).await?;
         self.past_evaluations = self.progress().evaluations;
         self.inverse.take();
-        (self.shapes, self.pins, self.settings, self.run) = (shapes, pins, settings, run);
+        (self.shapes, self.pins, self.settings, self.device, self.run) = (shapes, pins, settings, device, run);
         (self.approach, self.plan, self.best, self.stop) = (Approach::Direct, Plan::none(), None, None);
         Ok(())
     }
@@ -259,7 +265,7 @@ impl<const D: usize> Search<D> {
             ties.guide =
                 pins.into_iter().map(|pin| if approach.is_exchanged() { pin.reversed() } else { pin }).collect();
         }
-        Cascade::begin(in_direction(&self.shapes, approach), ties, settings).await
+        Cascade::begin(in_direction(&self.shapes, approach), ties, settings, self.device.clone()).await
     }
 
     /// Begins a run on the finest level. A deformation that has no finite energy under other settings is no beginning.
@@ -292,7 +298,8 @@ impl<const D: usize> Search<D> {
     ) -> bool {
         let shapes = in_direction(&self.shapes, approach);
         let grid = Grid::of_level(settings.finest);
-        match Cascade::resume(shapes, ties, settings, settings.finest, grid, displacement).await {
+        let device = self.device.clone();
+        match Cascade::resume(shapes, ties, settings, device, settings.finest, grid, displacement).await {
             Ok(run) => {
                 self.enter(approach, run);
                 true
@@ -348,6 +355,11 @@ impl<const D: usize> Search<D> {
 
     pub fn settings(&self) -> &Settings {
         &self.settings
+    }
+
+    /// What computes: "cpu", "gpu: " and the card's name, or "cpu: " and why it is not the card.
+    pub fn backend(&self) -> String {
+        self.run.backend()
     }
 
     /// The current level's grid.

@@ -51,17 +51,16 @@ pub struct GpuAssembler<const D: usize> {
 
 impl<const D: usize> GpuAssembler<D> {
     /// Takes over what `twin` has been given: the functional, the shapes, the pins.
-    ///
-    /// # Errors
-    /// A sentence, if the device has failed.
-    pub fn new(gpu: Rc<Gpu>, twin: CpuAssembler<D>) -> Result<Self, String> {
+    pub fn new(gpu: Rc<Gpu>, twin: CpuAssembler<D>) -> Self {
         let level = Level::new(&gpu, &twin);
         let (kernels, band) = (gpu.kernels::<D>(), BandRows::of(&twin));
         let forces = Forces::new(&gpu, &kernels, &level, &twin, &band);
-        match gpu.trouble() {
-            Some(reason) => Err(reason),
-            None => Ok(Self { upload: Upload::new(twin.grid), gpu, kernels, twin, level, band, forces, hessian: None }),
-        }
+        Self { upload: Upload::new(twin.grid), gpu, kernels, twin, level, band, forces, hessian: None }
+    }
+
+    /// What the processor computes with.
+    pub(crate) fn twin(&mut self) -> &mut CpuAssembler<D> {
+        &mut self.twin
     }
 
     /// What computes: "gpu: " and the adapter's name, or "cpu: " and the reason.

@@ -1,5 +1,5 @@
 use super::Ties;
-use crate::assemble::{Assembler, CpuAssembler, Evaluation};
+use crate::assemble::{AnyAssembler, Assembler, CpuAssembler, Device, Evaluation};
 use crate::distance::SignedDistance;
 use crate::grid::Grid;
 use crate::minimize::{Minimizer, Ncg, Newton, Progress};
@@ -17,7 +17,7 @@ const MISSED_WEIGHT: f64 = 2.0;
 /// What one level needs.
 pub(super) struct Level<const D: usize> {
     pub number: u32,
-    pub assembler: CpuAssembler<D>,
+    pub assembler: AnyAssembler<D>,
     /// The shell and its aim on this level.
     shapes: [SignedDistance<D>; 2],
     minimizer: AnyMinimizer<D>,
@@ -28,6 +28,7 @@ impl<const D: usize> Level<D> {
     pub fn new(
         number: u32,
         settings: &Settings,
+        device: &Device,
         shapes: &[Rc<SignedDistance<D>>; 2],
         ties: &Ties<D>,
         displacement: Option<Vec<f64>>,
@@ -42,7 +43,7 @@ impl<const D: usize> Level<D> {
         }
         let displacement = displacement.unwrap_or_else(|| vec![0.0; shapes[0].grid().node_count() * D]);
         let minimizer = AnyMinimizer::new(number, settings, displacement);
-        Self { number, assembler, shapes, minimizer }
+        Self { number, assembler: device.assembler(assembler), shapes, minimizer }
     }
 
     /// Begins again from another displacement.

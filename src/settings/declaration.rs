@@ -31,11 +31,12 @@ impl MinimizerKind {
     }
 }
 
-/// What computes. One processor serves both names for now.
+/// What computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backend {
     Auto,
     Cpu,
+    Gpu,
 }
 
 choices! {
@@ -63,6 +64,7 @@ choices! {
     Backend: BACKENDS {
         Auto = "auto", "the fastest there is";
         Cpu = "cpu", "the processor";
+        Gpu = "gpu", "the graphics card";
     }
 }
 
@@ -231,7 +233,7 @@ declare! {
     backend: Backend = Backend::Auto => {
         name: "backend", symbol: "", group: Method, on_page: false,
         label: "Computed by",
-        help: "What computes.",
+        help: "What computes; a graphics card pays where grids are large.",
         kind: Kind::Choice(BACKENDS),
     }
 }

@@ -1,5 +1,5 @@
 use super::kernels::Kernels;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::future::poll_fn;
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
@@ -15,7 +15,26 @@ pub struct Gpu {
     kernels: [OnceCell<Rc<Kernels>>; 2],
 }
 
+thread_local! {
+    /// The card of this thread, and the kernels compiled for it: registrations share them.
+    static SHARED: RefCell<Option<Rc<Gpu>>> = const { RefCell::new(None) };
+}
+
 impl Gpu {
+    /// The card that all registrations share; a new device where the last one was lost.
+    ///
+    /// # Errors
+    /// A sentence, if there is no card or it refuses.
+    pub async fn shared() -> Result<Rc<Self>, String> {
+        let kept = SHARED.with_borrow(Clone::clone).filter(|gpu| gpu.trouble().is_none());
+        if let Some(gpu) = kept {
+            return Ok(gpu);
+        }
+        let gpu = Self::open().await?;
+        SHARED.set(Some(gpu.clone()));
+        Ok(gpu)
+    }
+
     /// # Errors
     /// A sentence, if there is no card or it refuses.
     pub async fn open() -> Result<Rc<Self>, String> {

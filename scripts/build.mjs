@@ -6,11 +6,12 @@ import { pathToFileURL } from "node:url";
 import { bundleElement } from "./element.mjs";
 import { heading, main, must, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
-import { buildSolidWasm, buildWasm } from "./wasm.mjs";
+import { buildGpuWasm, buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 export async function buildPage() {
   await buildWasm();
   await buildSolidWasm();
+  await buildGpuWasm();
   heading("page");
   await must(process.execPath, [vite, "build"]);
   // For other pages and the demos: no part of the page, so it comes after the list of what is kept in the browser.

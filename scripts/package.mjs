@@ -8,7 +8,7 @@ import { bundleElement } from "./element.mjs";
 import { bundledIn, crates, packages, STANDARD_LIBRARY, textOf } from "./lib/licences.mjs";
 import { main, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
-import { buildSolidWasm, buildWasm } from "./wasm.mjs";
+import { buildGpuWasm, buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 const OUT = join(root, "lib");
 
@@ -16,6 +16,7 @@ const OUT = join(root, "lib");
 const MODULES = [
   ["wasm", "."],
   ["wasm-solid", "solid"],
+  ["wasm-gpu", "gpu"],
 ];
 
 const FILES = ["thinshell.js", "thinshell.d.ts", "thinshell_bg.wasm", "settings.js", "settings.d.ts"];
@@ -36,6 +37,7 @@ export default async function init(source) {
 export async function assemble() {
   await buildWasm();
   await buildSolidWasm();
+  await buildGpuWasm();
   rmSync(OUT, { recursive: true, force: true });
   for (const [from, to] of MODULES) {
     mkdirSync(join(OUT, to), { recursive: true });

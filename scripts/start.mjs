@@ -4,7 +4,7 @@
 import { buildPage } from "./build.mjs";
 import { main, root } from "./lib/process.mjs";
 import { checkNode, ensurePackages } from "./lib/setup.mjs";
-import { buildSolidWasm, buildWasm } from "./wasm.mjs";
+import { buildGpuWasm, buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 await main(async () => {
   checkNode();
@@ -16,6 +16,7 @@ await main(async () => {
   if (process.argv.includes("--dev")) {
     await buildWasm();
     await buildSolidWasm();
+    await buildGpuWasm();
     const server = await createServer({ root });
     await server.listen();
     urls = server.resolvedUrls;

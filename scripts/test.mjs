@@ -10,7 +10,7 @@ import { driverEnvironment, ensureChromium } from "./lib/chromium.mjs";
 import { heading, main, Obstacle, root, run } from "./lib/process.mjs";
 import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setup.mjs";
 import { checkSize } from "./size.mjs";
-import { buildSolidWasm, buildWasm } from "./wasm.mjs";
+import { buildGpuWasm, buildSolidWasm, buildWasm } from "./wasm.mjs";
 
 /** @typedef {{ passed: number, failed: number, skipped?: number, retried?: number }} Count */
 
@@ -56,6 +56,7 @@ const STEPS = {
       // The page's types come from Rust, so they have to be generated before they can be checked.
       await buildWasm();
       await buildSolidWasm();
+      await buildGpuWasm();
       return all(() => succeeds(...program("typescript/bin/tsc", ["--noEmit"])));
     },
   },
@@ -64,6 +65,7 @@ const STEPS = {
     check: async () => {
       await buildWasm();
       await buildSolidWasm();
+      await buildGpuWasm();
       const file = report("vitest.json");
       const reporters = ["--reporter=default", "--reporter=json", `--outputFile.json=${file}`];
       const { code } = await run(...program("vitest/vitest.mjs", ["run", ...reporters]));
@@ -84,6 +86,7 @@ const STEPS = {
     check: async () => {
       await buildWasm();
       await buildSolidWasm();
+      await buildGpuWasm();
       // Not above: on a fresh clone there is no browser's client before the packages are there.
       const { tryPackage } = await import("./tryPackage.mjs");
       return tryPackage();
@@ -94,6 +97,7 @@ const STEPS = {
     check: async () => {
       await buildWasm();
       await buildSolidWasm();
+      await buildGpuWasm();
       return all(
         () => succeeds(...program("vite/bin/vite.js", ["build"])),
         async () => checkSize(),

@@ -46,6 +46,14 @@ const CHECKS = [
     },
   ],
   [
+    "two polygons are matched by the package for graphics cards, which says who computed",
+    async ({ folder }) => {
+      write(folder, "card.mjs", example("card.mjs"));
+      const said = program(folder, process.execPath, ["card.mjs"]);
+      expect(said.startsWith("cpu: there is no WebGPU here"), `Node has no graphics card, but this says: ${said}`);
+    },
+  ],
+  [
     "the command line matches 20 silhouettes of the gallery, whatever lies among them",
     async ({ folder }) => {
       const { version } = JSON.parse(read(root, "package.json"));
@@ -204,6 +212,7 @@ function read(folder, name) {
 
 const TYPED = `import init, { Registration, type Settings, type Shape, type Status } from "thinshell";
 import { SETTINGS } from "thinshell/settings";
+import * as card from "thinshell/gpu";
 import * as solid from "thinshell/solid";
 import widget, { type Report, ThinShellMatch } from "thinshell/element";
 const settings: Partial<Settings> = { finest: 5 };
@@ -213,6 +222,7 @@ export async function once(): Promise<Status> {
   return (await Registration.create(shape, shape, settings)).step(1);
 }
 export const vertices = (made: solid.Registration): Float32Array => made.surfaces().matched.positions;
+export const computing = async (made: card.Registration): Promise<string> => (await made.step(1)).backend;
 export const element: ThinShellMatch = document.createElement("thin-shell-match");
 element.settings = settings;
 element.addEventListener("match", ({ detail }) => console.log(detail.verdict satisfies Report["verdict"]));

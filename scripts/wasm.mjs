@@ -36,11 +36,13 @@ const CODE = [
 /** Builds the solver for the page; with nothing changed it takes a fraction of a second. */
 export async function buildWasm() {
   await packageWasm("thinshell", "thinshell", join(root, "www", "wasm"), writeSettings);
-  // Types are checked without waiting for the other package: its names are the same.
-  const types = join(root, "www", "wasm-solid", "thinshell.d.ts");
-  if (existsSync(types)) return;
-  mkdirSync(dirname(types), { recursive: true });
-  writeFileSync(types, 'export * from "../wasm/thinshell.js";\n');
+  // Types are checked without waiting for the other packages: their names are the same.
+  for (const other of ["wasm-solid", "wasm-gpu"]) {
+    const types = join(root, "www", other, "thinshell.d.ts");
+    if (existsSync(types)) continue;
+    mkdirSync(dirname(types), { recursive: true });
+    writeFileSync(types, 'export * from "../wasm/thinshell.js";\n');
+  }
 }
 
 /** Builds the solver with surfaces: the same names, loaded on demand. */
@@ -48,6 +50,14 @@ export async function buildSolidWasm() {
   await packageWasm("thinshell", "thinshell", join(root, "www", "wasm-solid"), writeSettings, [
     "--features",
     "surfaces",
+  ]);
+}
+
+/** Builds the solver that can compute on a graphics card, curves and surfaces: the same names, loaded on demand. */
+export async function buildGpuWasm() {
+  await packageWasm("thinshell", "thinshell", join(root, "www", "wasm-gpu"), writeSettings, [
+    "--features",
+    "surfaces,gpu",
   ]);
 }
 
@@ -122,5 +132,10 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href)
   await main(async () => {
     checkNode();
     await ensurePackages();
-    await (process.argv.includes("--solid") ? buildSolidWasm() : buildWasm());
+    const build = process.argv.includes("--gpu")
+      ? buildGpuWasm
+      : process.argv.includes("--solid")
+        ? buildSolidWasm
+        : buildWasm;
+    await build();
   });

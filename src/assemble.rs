@@ -2,6 +2,7 @@
 
 mod band;
 mod cpu;
+#[cfg_attr(not(feature = "gpu"), path = "assemble/processor.rs")]
 mod device;
 #[cfg(feature = "gpu")]
 mod gpu;
@@ -12,7 +13,7 @@ pub use cpu::CpuAssembler;
 pub(crate) use device::AnyAssembler;
 pub use device::Device;
 #[cfg(feature = "gpu")]
-pub use gpu::{Gpu, GpuAssembler};
+pub use gpu::{Clock, Counts, Gpu, GpuAssembler, Pace, set_clock};
 
 use crate::energy::Energies;
 use crate::grid::Grid;

@@ -233,6 +233,15 @@ pub fn inspect(
 #[wasm_bindgen(start)]
 pub fn start() {
     console_error_panic_hook::set_once();
+    #[cfg(feature = "gpu")]
+    crate::assemble::set_clock(now);
+}
+
+#[cfg(feature = "gpu")]
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_namespace = performance)]
+    fn now() -> f64;
 }
 
 fn read_source(reference: &JsValue, template: &JsValue, settings: &JsValue) -> Result<Source, JsError> {

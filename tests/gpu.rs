@@ -17,7 +17,7 @@ use thinshell::prolongation::prolongate;
 use thinshell::ready::ready;
 use thinshell::report::report;
 use thinshell::search::{Search, SearchProgress};
-use thinshell::settings::{Backend, Settings};
+use thinshell::settings::{Alignment, Backend, Settings};
 use thinshell::stencil::StencilOperator;
 
 /// Of an energy: every density has some ten roundings of 2⁻²⁴ = 6e-8, which sums over many cells average, and the trees'
@@ -95,6 +95,11 @@ fn assemblers<const D: usize>(
     level: u32,
     functional: &Functional,
 ) -> (CpuAssembler<D>, GpuAssembler<D>) {
+    let (truth, twin) = twins(level, functional);
+    (truth, GpuAssembler::new(gpu.clone(), twin))
+}
+
+fn twins<const D: usize>(level: u32, functional: &Functional) -> (CpuAssembler<D>, CpuAssembler<D>) {
     let shapes = [shape::<D>(level, 0.5, [0.26, 0.22, 0.24]), shape::<D>(level, 0.52, [0.3, 0.2, 0.22])];
     let pin = |a: f64, b: f64| Pin { reference: [a; D], template: [b; D] };
     let [truth, twin] = [(), ()].map(|()| {
@@ -102,7 +107,7 @@ fn assemblers<const D: usize>(
         assembler.tie(&[pin(0.3, 0.33), pin(0.71, 0.66)], 2.0);
         assembler
     });
-    (truth, GpuAssembler::new(gpu.clone(), twin))
+    (truth, twin)
 }
 
 fn functional<const D: usize>(level: u32, gauss_points: usize, change: Change) -> Functional {
@@ -460,5 +465,86 @@ fn two_searches_at_once_share_a_card_and_nothing_else() {
         let mut alone = search(stars(finest), Backend::Cpu);
         end(&mut alone);
         assert_same_match(search_on_card, &alone);
+    }
+}
+
+/// A clock that says what it is told to.
+mod clock {
+    use std::cell::RefCell;
+
+    thread_local! {
+        static TIMES: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+    }
+
+    /// So many milliseconds for the processor, then for the card.
+    pub fn set(millis: &[f64]) {
+        let times = millis.iter().rev().flat_map(|millis| [*millis, 0.0]);
+        TIMES.set(times.collect());
+        thinshell::assemble::set_clock(|| TIMES.with_borrow_mut(|times| times.pop().expect("nobody looks more often")));
+    }
+}
+
+/// What computes after the first hessian, if it takes processor and card so long.
+fn chosen_after(gpu: &Rc<Gpu>, level: u32, millis: &[f64]) -> String {
+    clock::set(millis);
+    let (mut truth, twin) = twins::<2>(level, &functional::<2>(level, 3, |_| ()));
+    let mut found = GpuAssembler::if_faster(gpu.clone(), twin);
+    let grid = Grid::<2>::of_level(level);
+    let u = displacement(grid, &mut Random(8));
+    let [(mut expected, mut operator), (mut gradient, mut computed)] =
+        [(), ()].map(|()| (vec![0.0; u.len()], StencilOperator::zero(grid)));
+    let evaluation = ready(truth.hessian(&u, &mut expected, &mut operator));
+    assert_same_energies(&ready(found.hessian(&u, &mut gradient, &mut computed)), &evaluation, "whoever computes");
+    assert_near(&gradient, &expected, GRADIENT, "whoever computes");
+    let d = vec![1.0; u.len()];
+    assert_near(&applied(&computed, &d), &applied(&operator, &d), HESSIAN, "whoever computes");
+    found.backend()
+}
+
+#[test]
+fn whoever_is_faster_computes_and_is_asked_once_a_size() {
+    let Some(gpu) = card() else { return };
+    assert!(chosen_after(&gpu, 5, &[40.0, 20.0]).starts_with("gpu: "));
+    assert!(chosen_after(&gpu, 5, &[]).starts_with("gpu: "), "known");
+    let slower = "cpu: on this grid the graphics card takes 39 ms for what takes the processor 40 ms";
+    assert_eq!(chosen_after(&gpu, 6, &[40.0, 39.0]), slower);
+    assert_eq!(chosen_after(&gpu, 6, &[]), slower);
+    let quick = "cpu: on this grid the processor is done before a graphics card would answer";
+    assert_eq!(chosen_after(&gpu, 4, &[3.0]), quick);
+}
+
+#[test]
+fn a_card_that_is_lost_before_it_is_timed_leaves_the_processor() {
+    let Some(gpu) = card() else { return };
+    gpu.destroy();
+    assert_eq!(chosen_after(&gpu, 5, &[40.0]), "cpu: the graphics device was given up");
+}
+
+#[test]
+fn a_card_that_a_processor_plays_is_none_unless_it_is_insisted_on() {
+    let Some(gpu) = card() else { return };
+    if !gpu.is_software() {
+        return;
+    }
+    let expected = format!("cpu: the graphics card is none, the processor plays it ({})", gpu.name());
+    assert_eq!(search(stars(5), Backend::Auto).backend(), expected);
+    assert_eq!(search(stars(5), Backend::Gpu).backend(), format!("gpu: {}", gpu.name()));
+}
+
+#[test]
+fn fifty_searches_leave_no_buffer_on_the_card() {
+    if card().is_none() {
+        return;
+    }
+    let gpu = ready(Gpu::shared()).expect("a card");
+    for run in 0..50 {
+        // Without comparing starts, which is a hundred evaluations a run.
+        let settings = Settings { finest: 5, backend: Backend::Gpu, alignment: Alignment::None, ..Settings::default() };
+        let [reference, template] = stars(5);
+        let mut search = ready(Search::new(reference, template, settings)).expect("valid settings, and a card");
+        ready(search.step());
+        assert!(gpu.buffers() > 0, "it computes");
+        drop(search);
+        assert_eq!(gpu.buffers(), 0, "after run {run}");
     }
 }

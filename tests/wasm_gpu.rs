@@ -30,7 +30,7 @@ async fn agree<const D: usize>(level: u32) {
     let grid = Grid::<D>::of_level(level);
     let functional = Settings::default().thrifty_functional::<D>(level);
     let [mut truth, twin] = [(), ()].map(|()| CpuAssembler::new(&functional, &ball(grid, 0.25), &ball(grid, 0.28)));
-    let mut assembler = GpuAssembler::<D>::new(gpu.clone(), twin).expect("a working device");
+    let mut assembler = GpuAssembler::<D>::new(gpu.clone(), twin);
     let count = grid.node_count() * D;
     let u: Vec<f64> = (0..count).map(|k| 0.07 * grid.spacing() * (1.7 * (k * k % 1000) as f64).sin()).collect();
     let [(mut expected, mut operator), (mut gradient, mut computed)] =

@@ -1,11 +1,14 @@
 /** What the solver runs on: its compiled module and workers for it. */
 
+import type { Settings } from "./protocol";
 import { en } from "./words/en";
 
 export type Engine = {
   /** The compiled solver, which all workers share: after the load nothing needs the network. */
   module(): Promise<WebAssembly.Module>;
   spawn(): Worker;
+  /** The one that can compute on a graphics card, where the settings are such that it should; else nothing. */
+  card?(settings: Partial<Settings>): Promise<Engine> | undefined;
 };
 
 /** Fetches and compiles the module when it is first asked for, and again after a failure. Rejects with a sentence. */

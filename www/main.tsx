@@ -9,7 +9,6 @@ import { Import } from "./controls/Import";
 import { Later } from "./controls/Later";
 import { begin, readFile } from "./controls/language";
 import { Morph } from "./controls/Morph";
-import { Present } from "./controls/Present";
 import { Presets } from "./controls/Presets";
 import { SketchPanel } from "./controls/SketchPanel";
 import { SketchTools } from "./controls/SketchTools";
@@ -19,7 +18,7 @@ import { Terms } from "./controls/Terms";
 import { Problem, Toolbar } from "./controls/Toolbar";
 import { ViewPicker } from "./controls/ViewPicker";
 import { choose, fetchLocal, view } from "./controls/viewing";
-import { moduleAt } from "./engine";
+import { type Engine, moduleAt } from "./engine";
 import { open } from "./link/open";
 import { Memory } from "./memory/memory";
 import { whenIdle } from "./offline/idle";
@@ -40,7 +39,7 @@ const news = signal<FunctionComponent | null>(null);
 function App({ session, onSurfaces }: { session: Session; onSurfaces: () => void }) {
   if (space.value) return <space.value.View />;
   // Comes with what draws.
-  const Save = hands.value?.Save;
+  const { Present, Save } = hands.value ?? {};
   return (
     <>
       <div class="sketches">
@@ -61,7 +60,7 @@ function App({ session, onSurfaces }: { session: Session; onSurfaces: () => void
               {en.result.title}
             </h2>
             <ViewPicker session={session} />
-            <Present session={session} />
+            {Present && <Present session={session} />}
             {Save && <Save session={session} />}
           </header>
           <Stage session={session} />
@@ -139,7 +138,15 @@ function spawn(): Worker {
   return new SolverWorker({ name: "thinshell solver" });
 }
 
-const engine = { module: moduleAt(solverUrl), spawn };
+const engine: Engine = {
+  module: moduleAt(solverUrl),
+  spawn,
+  // From 513 × 513 on a card may be faster.
+  card: (settings) =>
+    settings.backend === "gpu" || (settings.backend !== "cpu" && (settings.finest ?? 0) > 8)
+      ? import("./card/choice").then(({ engineFor }) => engineFor(settings, "plane", engine))
+      : undefined,
+};
 
 /** Within another page. */
 const isEmbedded = new URLSearchParams(location.search).has("embed");

@@ -29,6 +29,7 @@ function record(): MatchRecord {
         stretch: { mean: 1, deviation: 0 },
         cover: { mean: 0.01, max: 0.1 },
         measure: 1,
+        backend: "cpu",
         facts: Float64Array.of(0, 0, 4, 1, 1, 3, 0.5, 0.5),
         verdict: "Fits: nowhere more than 0.10 cells off.",
         approach: "matching directly",

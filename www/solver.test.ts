@@ -1,8 +1,10 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { FrameReply } from "./protocol";
+import type { Engine } from "./engine";
+import type { FrameReply, Settings } from "./protocol";
 import { PATIENCE_MILLIS, Solver } from "./solver";
 import { puppetEngine } from "./testing/puppet";
 
+const NOTHING = { kind: "curves" as const, loops: [] };
 const MODULE = {} as WebAssembly.Module;
 
 function stage(module: () => Promise<WebAssembly.Module> = () => Promise.resolve(MODULE)) {
@@ -139,4 +141,58 @@ test("a worker that is still loading is waited for until somebody cancels", asyn
   solver.cancel();
   await vi.advanceTimersByTimeAsync(100 * PATIENCE_MILLIS);
   expect(puppets.map(({ ended }) => ended)).toEqual([true, false]);
+});
+
+test("a run that a graphics card may compute goes to the other engine's worker, and the next one back", async () => {
+  const [first, card] = [puppetEngine(), puppetEngine()];
+  const engine = {
+    ...first.engine,
+    card: ({ backend }: Partial<Settings>) => (backend === "gpu" ? Promise.resolve(card.engine) : undefined),
+  };
+  const solver = new Solver(engine, { ready() {}, frame() {}, refused() {}, crashed() {}, unavailable() {} });
+  const start = (backend: Settings["backend"]) => solver.start(NOTHING, NOTHING, { backend });
+  start("gpu");
+  solver.pause();
+  await vi.advanceTimersByTimeAsync(0);
+  expect(first.puppets.map(({ ended }) => ended)).toEqual([true]);
+  expect(first.puppets[0].starts).toEqual([]);
+  expect(card.puppets[0].told.map(({ kind }) => kind)).toEqual(["start", "pause", "load"]);
+  start("gpu");
+  await vi.advanceTimersByTimeAsync(0);
+  expect(card.puppets).toHaveLength(1);
+  start("cpu");
+  await vi.advanceTimersByTimeAsync(0);
+  expect(card.puppets[0].ended).toBe(true);
+  expect(first.puppets[1].told.map(({ kind }) => kind)).toEqual(["start", "load"]);
+});
+
+test("who changes his mind while the other engine comes is not given it", async () => {
+  const [first, card] = [puppetEngine(), puppetEngine()];
+  let come: (engine: Engine) => void = () => {};
+  const coming = new Promise<Engine>((resolve) => {
+    come = resolve;
+  });
+  const engine = {
+    ...first.engine,
+    card: ({ backend }: Partial<Settings>) => (backend === "gpu" ? coming : undefined),
+  };
+  const solver = new Solver(engine, { ready() {}, frame() {}, refused() {}, crashed() {}, unavailable() {} });
+  solver.start(NOTHING, NOTHING, { backend: "gpu" });
+  solver.cancel();
+  solver.start(NOTHING, NOTHING, {});
+  come(card.engine);
+  await vi.advanceTimersByTimeAsync(0);
+  expect(card.puppets).toEqual([]);
+  expect(first.puppets.at(-1)?.starts).toHaveLength(1);
+});
+
+test("an engine that does not come is a refusal", async () => {
+  const { engine } = puppetEngine();
+  const heard: string[] = [];
+  const events = { ready() {}, frame() {}, crashed() {}, unavailable() {} };
+  const card = () => Promise.reject(new Error("it could not be loaded"));
+  const solver = new Solver({ ...engine, card }, { ...events, refused: (why) => heard.push(why) });
+  solver.start(NOTHING, NOTHING, { backend: "gpu" });
+  await vi.advanceTimersByTimeAsync(0);
+  expect(heard).toEqual(["it could not be loaded"]);
 });

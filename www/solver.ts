@@ -24,7 +24,9 @@ export type SolverEvents<Frame extends AnyFrame = FrameReply> = {
 export const PATIENCE_MILLIS = 400;
 
 export class Solver<Frame extends AnyFrame = FrameReply> {
-  private readonly engine: Engine;
+  private readonly first: Engine;
+  /** What the worker is of: the first, or the one with a graphics card. */
+  private engine: Engine;
   private readonly events: SolverEvents<Frame>;
   /** None after a start that has failed: the next run tries again, so that tries never outnumber the user's. */
   private worker: Worker | null = null;
@@ -36,9 +38,12 @@ export class Solver<Frame extends AnyFrame = FrameReply> {
   private waiting: Request | null = null;
   /** Whether the worker has yet to turn from an older run to a start or a cancel. */
   private unheard = false;
+  /** Of the run; a start that waits for its engine is told when it goes out. */
+  private paused = false;
   private patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(engine: Engine, events: SolverEvents<Frame>) {
+    this.first = engine;
     this.engine = engine;
     this.events = events;
     this.spawn();
@@ -47,9 +52,25 @@ export class Solver<Frame extends AnyFrame = FrameReply> {
   /** Ends the current run, if any, and starts another. Settings left out have their defaults. */
   start(reference: Shape, template: Shape, settings: Partial<Settings>): void {
     this.run += 1;
-    this.waiting = { kind: "start", run: this.run, reference, template, settings };
+    this.paused = false;
+    const request: Request = { kind: "start", run: this.run, reference, template, settings };
+    const card = this.first.card?.(settings);
+    if (!card) this.turnTo(this.first, request);
+    else
+      card.then(
+        (engine) => request.run === this.run && this.turnTo(engine, request),
+        (problem: Error) => request.run === this.run && this.events.refused(problem.message),
+      );
+  }
+
+  /** A worker of another engine gives way. */
+  private turnTo(engine: Engine, request: Request): void {
+    if (engine !== this.engine) this.end();
+    this.engine = engine;
+    this.waiting = request;
     if (!this.worker) this.spawn();
-    this.turn(this.waiting);
+    this.turn(request);
+    if (this.paused) this.pause();
   }
 
   /** Goes on from the match there is with other shapes and settings, all of them given; ends the current run. */
@@ -65,10 +86,12 @@ export class Solver<Frame extends AnyFrame = FrameReply> {
   }
 
   pause(): void {
+    this.paused = true;
     this.send({ kind: "pause", run: this.run });
   }
 
   resume(): void {
+    this.paused = false;
     this.send({ kind: "resume", run: this.run });
   }
 

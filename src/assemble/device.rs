@@ -1,20 +1,28 @@
-//! What evaluates a level: the processor, or a graphics card where there is one and it is faster.
+//! What evaluates a level: the processor, or a graphics card where there is one and it is faster. Without the feature `gpu`,
+//! `processor.rs` stands here.
 
-use super::{Assembler, CpuAssembler, Evaluation};
-#[cfg(feature = "gpu")]
-use super::{Gpu, GpuAssembler};
+use super::{Assembler, CpuAssembler, Evaluation, Gpu, GpuAssembler};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::settings::Backend;
 use crate::stencil::StencilOperator;
-#[cfg(feature = "gpu")]
 use std::rc::Rc;
 
 /// What a search computes on; without a graphics card unless [`open`](Self::open) finds one.
 #[derive(Clone, Default)]
 pub struct Device {
-    #[cfg(feature = "gpu")]
-    card: Option<Rc<Gpu>>,
+    choice: Choice,
+}
+
+#[derive(Clone, Default)]
+enum Choice {
+    #[default]
+    Processor,
+    /// There was the choice, and why it fell on the processor.
+    NoCard(Rc<str>),
+    Card(Rc<Gpu>),
+    /// The card where it is faster.
+    Faster(Rc<Gpu>),
 }
 
 impl Device {
@@ -22,55 +30,54 @@ impl Device {
     ///
     /// # Errors
     /// [`Error::NoCard`], if a graphics card is insisted on and there is none.
-    #[cfg(feature = "gpu")]
     pub async fn open(backend: Backend) -> Result<Self, Error> {
-        match backend {
-            Backend::Gpu => match Gpu::shared().await {
-                Ok(card) => Ok(Self { card: Some(card) }),
-                Err(reason) => Err(Error::NoCard { reason }),
+        let choice = match backend {
+            Backend::Cpu => Choice::Processor,
+            Backend::Gpu => Choice::Card(Gpu::shared().await.map_err(|reason| Error::NoCard { reason })?),
+            Backend::Auto => match Gpu::shared().await {
+                Ok(card) if card.is_software() => Choice::NoCard(
+                    format!("the graphics card is none, the processor plays it ({})", card.name()).into(),
+                ),
+                Ok(card) => Choice::Faster(card),
+                Err(reason) => Choice::NoCard(reason.into()),
             },
-            Backend::Auto | Backend::Cpu => Ok(Self::default()),
-        }
-    }
-
-    /// What `backend` asks for.
-    ///
-    /// # Errors
-    /// [`Error::NoCard`], if a graphics card is insisted on: this build computes on none.
-    #[cfg(not(feature = "gpu"))]
-    #[expect(clippy::unused_async, reason = "with graphics cards it waits for one")]
-    pub async fn open(backend: Backend) -> Result<Self, Error> {
-        match backend {
-            Backend::Gpu => {
-                Err(Error::NoCard { reason: "this build computes on the processor; load the package wasm-gpu".into() })
-            }
-            Backend::Auto | Backend::Cpu => Ok(Self::default()),
-        }
+        };
+        Ok(Self { choice })
     }
 
     /// Takes over what `twin` has been given.
     pub(crate) fn assembler<const D: usize>(&self, twin: CpuAssembler<D>) -> AnyAssembler<D> {
-        #[cfg(feature = "gpu")]
-        if let Some(card) = &self.card {
-            return AnyAssembler::Gpu(Box::new(GpuAssembler::new(card.clone(), twin)));
+        match &self.choice {
+            Choice::Processor => AnyAssembler::Cpu(Box::new(twin), None),
+            Choice::NoCard(reason) => AnyAssembler::Cpu(Box::new(twin), Some(reason.clone())),
+            Choice::Card(card) => AnyAssembler::Gpu(Box::new(GpuAssembler::new(card.clone(), twin))),
+            Choice::Faster(card) => AnyAssembler::Gpu(Box::new(GpuAssembler::if_faster(card.clone(), twin))),
         }
-        AnyAssembler::Cpu(twin)
     }
 }
 
 /// The assembler of one level.
 pub(crate) enum AnyAssembler<const D: usize> {
-    Cpu(CpuAssembler<D>),
-    #[cfg(feature = "gpu")]
+    /// And why, where there was a choice.
+    Cpu(Box<CpuAssembler<D>>, Option<Rc<str>>),
     Gpu(Box<GpuAssembler<D>>),
+}
+
+/// The same of either assembler.
+macro_rules! of_any {
+    ($any:expr, $assembler:ident => $answer:expr) => {
+        match $any {
+            AnyAssembler::Cpu($assembler, _) => $answer,
+            AnyAssembler::Gpu($assembler) => $answer,
+        }
+    };
 }
 
 impl<const D: usize> AnyAssembler<D> {
     /// The processor's, whose answers are ready at once.
     pub fn twin(&mut self) -> &mut CpuAssembler<D> {
         match self {
-            Self::Cpu(assembler) => assembler,
-            #[cfg(feature = "gpu")]
+            Self::Cpu(assembler, _) => assembler,
             Self::Gpu(assembler) => assembler.twin(),
         }
     }
@@ -78,8 +85,8 @@ impl<const D: usize> AnyAssembler<D> {
     /// What computes: "cpu", "gpu: " and the card's name, or "cpu: " and why it is not the card.
     pub fn backend(&self) -> String {
         match self {
-            Self::Cpu(_) => "cpu".into(),
-            #[cfg(feature = "gpu")]
+            Self::Cpu(_, None) => "cpu".into(),
+            Self::Cpu(_, Some(reason)) => format!("cpu: {reason}"),
             Self::Gpu(assembler) => assembler.backend(),
         }
     }
@@ -87,27 +94,15 @@ impl<const D: usize> AnyAssembler<D> {
 
 impl<const D: usize> Assembler<D> for AnyAssembler<D> {
     fn grid(&self) -> Grid<D> {
-        match self {
-            Self::Cpu(assembler) => assembler.grid(),
-            #[cfg(feature = "gpu")]
-            Self::Gpu(assembler) => assembler.grid(),
-        }
+        of_any!(self, assembler => assembler.grid())
     }
 
     async fn energy(&mut self, displacement: &[f64]) -> Evaluation {
-        match self {
-            Self::Cpu(assembler) => assembler.energy(displacement).await,
-            #[cfg(feature = "gpu")]
-            Self::Gpu(assembler) => assembler.energy(displacement).await,
-        }
+        of_any!(self, assembler => assembler.energy(displacement).await)
     }
 
     async fn gradient(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation {
-        match self {
-            Self::Cpu(assembler) => assembler.gradient(displacement, gradient).await,
-            #[cfg(feature = "gpu")]
-            Self::Gpu(assembler) => assembler.gradient(displacement, gradient).await,
-        }
+        of_any!(self, assembler => assembler.gradient(displacement, gradient).await)
     }
 
     async fn hessian(
@@ -116,10 +111,6 @@ impl<const D: usize> Assembler<D> for AnyAssembler<D> {
         gradient: &mut [f64],
         operator: &mut StencilOperator<D>,
     ) -> Evaluation {
-        match self {
-            Self::Cpu(assembler) => assembler.hessian(displacement, gradient, operator).await,
-            #[cfg(feature = "gpu")]
-            Self::Gpu(assembler) => assembler.hessian(displacement, gradient, operator).await,
-        }
+        of_any!(self, assembler => assembler.hessian(displacement, gradient, operator).await)
     }
 }

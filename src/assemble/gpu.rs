@@ -4,23 +4,30 @@
 //! decide the processor's twin does: whether a deformation next to a fold is admissible, and what a displacement that is
 //! no number costs. So both take the same steps. Pins, a few multiplications each, are the twin's too.
 //!
+//! Where both may compute, the first derivatives of a size tell who is faster ([`Pace`]).
+//!
 //! A device may be lost at any time. From then on the twin computes; nothing above notices, and
 //! [`backend`](GpuAssembler::backend) says why.
 
+#[cfg(target_arch = "wasm32")]
+mod browser;
 mod buffer;
 mod device;
 mod forces;
 mod hessian;
 mod kernels;
 mod level;
+mod pace;
 mod slab;
 mod upload;
 
-pub use device::Gpu;
+pub use device::{Counts, Gpu};
+pub use pace::{Clock, Pace, set_clock};
 
 use super::{Assembler, CpuAssembler, Evaluation};
 use crate::energy::{Energies, GRADIENT, HESSIAN, VALUE};
 use crate::grid::Grid;
+use crate::ready::ready;
 use crate::stencil::StencilOperator;
 use bytemuck::cast_slice;
 use forces::Forces;
@@ -39,8 +46,23 @@ const DOUBT: f64 = 1e-2;
 /// Evaluates the functional of one level on a graphics card.
 pub struct GpuAssembler<const D: usize> {
     gpu: Rc<Gpu>,
-    kernels: Rc<Kernels>,
     twin: CpuAssembler<D>,
+    chosen: Chosen,
+    /// Made when the card is first asked for something.
+    there: Option<There<D>>,
+}
+
+/// Who computes.
+enum Chosen {
+    Card,
+    /// The processor, until the first derivatives have told who is faster.
+    Undecided,
+    Processor(String),
+}
+
+/// What of a level is on the card.
+struct There<const D: usize> {
+    kernels: Rc<Kernels>,
     upload: Upload<D>,
     level: Level,
     band: BandRows,
@@ -49,13 +71,24 @@ pub struct GpuAssembler<const D: usize> {
     hessian: Option<Hessian>,
 }
 
+impl<const D: usize> There<D> {
+    fn new(gpu: &Gpu, twin: &CpuAssembler<D>) -> Self {
+        let (kernels, band, level) = (gpu.kernels::<D>(), BandRows::of(twin), Level::new(gpu, twin));
+        let forces = Forces::new(gpu, &kernels, &level, twin, &band);
+        Self { kernels, upload: Upload::new(twin.grid), level, band, forces, hessian: None }
+    }
+}
+
 impl<const D: usize> GpuAssembler<D> {
     /// Takes over what `twin` has been given: the functional, the shapes, the pins.
     pub fn new(gpu: Rc<Gpu>, twin: CpuAssembler<D>) -> Self {
-        let level = Level::new(&gpu, &twin);
-        let (kernels, band) = (gpu.kernels::<D>(), BandRows::of(&twin));
-        let forces = Forces::new(&gpu, &kernels, &level, &twin, &band);
-        Self { upload: Upload::new(twin.grid), gpu, kernels, twin, level, band, forces, hessian: None }
+        Self { gpu, twin, chosen: Chosen::Card, there: None }
+    }
+
+    /// The same, but the processor computes where it is as fast: both are timed once for a grid of this size.
+    pub fn if_faster(gpu: Rc<Gpu>, twin: CpuAssembler<D>) -> Self {
+        let chosen = gpu.pace::<D>(twin.grid.cells()).map_or(Chosen::Undecided, Chosen::by);
+        Self { gpu, twin, chosen, there: None }
     }
 
     /// What the processor computes with.
@@ -65,10 +98,80 @@ impl<const D: usize> GpuAssembler<D> {
 
     /// What computes: "gpu: " and the adapter's name, or "cpu: " and the reason.
     pub fn backend(&self) -> String {
-        match self.gpu.trouble() {
-            None => format!("gpu: {}", self.gpu.name()),
-            Some(reason) => format!("cpu: {reason}"),
+        match (&self.chosen, self.gpu.trouble()) {
+            (Chosen::Processor(reason), _) => format!("cpu: {reason}"),
+            (_, Some(reason)) => format!("cpu: {reason}"),
+            (Chosen::Undecided, None) => "cpu: the first step will tell whether the graphics card is faster".into(),
+            (Chosen::Card, None) => format!("gpu: {}", self.gpu.name()),
         }
+    }
+
+    async fn evaluate<const ORDER: u8>(
+        &mut self,
+        displacement: &[f64],
+        gradient: &mut [f64],
+        mut operator: Option<&mut StencilOperator<D>>,
+    ) -> Evaluation {
+        match self.chosen {
+            Chosen::Undecided if ORDER > VALUE => return self.decide::<ORDER>(displacement, gradient, operator).await,
+            Chosen::Undecided | Chosen::Processor(_) => {}
+            Chosen::Card => {
+                if let Some(evaluation) = self.compute::<ORDER>(displacement, gradient, operator.as_deref_mut()).await {
+                    return evaluation;
+                }
+            }
+        }
+        self.by_twin::<ORDER>(displacement, gradient, operator)
+    }
+
+    /// Once in the module, wherever it is called from.
+    #[inline(never)]
+    fn by_twin<const ORDER: u8>(
+        &mut self,
+        displacement: &[f64],
+        gradient: &mut [f64],
+        operator: Option<&mut StencilOperator<D>>,
+    ) -> Evaluation {
+        match operator {
+            Some(operator) => ready(self.twin.hessian(displacement, gradient, operator)),
+            None if ORDER == VALUE => ready(self.twin.energy(displacement)),
+            None => ready(self.twin.gradient(displacement, gradient)),
+        }
+    }
+
+    /// Computes by the processor and, where that takes long enough for a card to be worth its answer's delay, on the card.
+    async fn decide<const ORDER: u8>(
+        &mut self,
+        displacement: &[f64],
+        gradient: &mut [f64],
+        mut operator: Option<&mut StencilOperator<D>>,
+    ) -> Evaluation {
+        let Some(clock) = pace::clock() else {
+            self.chosen = Chosen::Processor(pace::NO_CLOCK.into());
+            return self.by_twin::<ORDER>(displacement, gradient, operator);
+        };
+        let begun = clock();
+        let evaluation = self.by_twin::<ORDER>(displacement, gradient, operator.as_deref_mut());
+        let mut pace = Pace { cpu_millis: clock() - begun, gpu_millis: None };
+        let mut found = None;
+        if pace.is_worth_a_trial() {
+            // The first time, its driver has to get ready.
+            if self.compute::<ORDER>(displacement, gradient, operator.as_deref_mut()).await.is_some() {
+                let begun = clock();
+                found = self.compute::<ORDER>(displacement, gradient, operator.as_deref_mut()).await;
+                pace.gpu_millis = Some(clock() - begun);
+            }
+            if found.is_none() {
+                // Lost, or next to a fold, which tells nothing of its pace.
+                return self.by_twin::<ORDER>(displacement, gradient, operator);
+            }
+        }
+        self.gpu.keep_pace::<D>(self.twin.grid.cells(), pace);
+        self.chosen = Chosen::by(pace);
+        if !matches!(self.chosen, Chosen::Card) {
+            self.there = None;
+        }
+        found.unwrap_or(evaluation)
     }
 
     /// What the card makes of a displacement. None if it is lost, or where the twin must decide.
@@ -78,13 +181,16 @@ impl<const D: usize> GpuAssembler<D> {
         gradient: &mut [f64],
         mut operator: Option<&mut StencilOperator<D>>,
     ) -> Option<Evaluation> {
-        assert_eq!(displacement.len(), self.twin.grid.node_count() * D);
-        if self.gpu.trouble().is_some() {
+        let Self { gpu, twin, there, .. } = self;
+        assert_eq!(displacement.len(), twin.grid.node_count() * D);
+        if gpu.trouble().is_some() {
             return None;
         }
-        let numbers = self.upload.of(displacement)?;
-        self.gpu.queue.write_buffer(&self.level.nodes, 0, cast_slice(numbers));
-        let sums = self.forces.evaluate(&self.gpu, &self.kernels, gradient).await?;
+        let There { kernels, upload, level, band, forces, hessian } =
+            there.get_or_insert_with(|| There::new(gpu, twin));
+        let numbers = upload.of(displacement)?;
+        gpu.queue.write_buffer(&level.nodes, 0, cast_slice(numbers));
+        let sums = forces.evaluate(gpu, kernels, gradient).await?;
         let [membrane, bending, mismatch, volume] = sums.energies;
         let mut energies = Energies { membrane, bending, mismatch, volume, pins: 0.0 };
         // Not a number is not greater, either.
@@ -94,13 +200,18 @@ impl<const D: usize> GpuAssembler<D> {
         }
         if sums.least > 0.0 {
             if let Some(operator) = &mut operator {
-                let new = || Hessian::new(&self.gpu, &self.kernels, &self.level, &self.twin, &self.band);
-                let hessian = self.hessian.get_or_insert_with(new);
-                hessian.evaluate(&self.gpu, &self.kernels, operator).await?;
+                let hessian = hessian.get_or_insert_with(|| Hessian::new(gpu, kernels, level, twin, band));
+                hessian.evaluate(gpu, kernels, operator).await?;
             }
-            self.twin.add_pins::<ORDER>(displacement, gradient, &mut operator, &mut energies);
+            twin.add_pins::<ORDER>(displacement, gradient, &mut operator, &mut energies);
         }
         Some(Evaluation { energies, least_determinant: sums.least })
+    }
+}
+
+impl Chosen {
+    fn by(pace: Pace) -> Self {
+        if pace.is_card_faster() { Self::Card } else { Self::Processor(pace.to_string()) }
     }
 }
 
@@ -110,17 +221,11 @@ impl<const D: usize> Assembler<D> for GpuAssembler<D> {
     }
 
     async fn energy(&mut self, displacement: &[f64]) -> Evaluation {
-        match self.compute::<VALUE>(displacement, &mut [], None).await {
-            Some(evaluation) => evaluation,
-            None => self.twin.energy(displacement).await,
-        }
+        self.evaluate::<VALUE>(displacement, &mut [], None).await
     }
 
     async fn gradient(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation {
-        match self.compute::<GRADIENT>(displacement, gradient, None).await {
-            Some(evaluation) => evaluation,
-            None => self.twin.gradient(displacement, gradient).await,
-        }
+        self.evaluate::<GRADIENT>(displacement, gradient, None).await
     }
 
     async fn hessian(
@@ -129,9 +234,6 @@ impl<const D: usize> Assembler<D> for GpuAssembler<D> {
         gradient: &mut [f64],
         operator: &mut StencilOperator<D>,
     ) -> Evaluation {
-        match self.compute::<HESSIAN>(displacement, gradient, Some(operator)).await {
-            Some(evaluation) => evaluation,
-            None => self.twin.hessian(displacement, gradient, operator).await,
-        }
+        self.evaluate::<HESSIAN>(displacement, gradient, Some(operator)).await
     }
 }

@@ -231,7 +231,7 @@ declare! {
         kind: Kind::Number(Range::new(1e-14, 0.1, "energies have sixteen digits, and a level shall do something")),
     }
     backend: Backend = Backend::Auto => {
-        name: "backend", symbol: "", group: Method, on_page: false,
+        name: "backend", symbol: "", group: Method, on_page: true,
         label: "Computed by",
         help: "What computes; a graphics card pays where grids are large.",
         kind: Kind::Choice(BACKENDS),

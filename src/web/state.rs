@@ -170,7 +170,7 @@ impl<const D: usize, V: Shown<D>, J: Judge<D>> State<D, V, J> {
             let [reference, template] = self.search.shapes();
             self.judge.get_or_insert_with(|| J::of(reference, template)).judge(progress.level, &report)
         });
-        status(&progress, &report, verdict)
+        status(&progress, &report, verdict, self.search.backend())
     }
 }
 

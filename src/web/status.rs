@@ -36,6 +36,8 @@ export interface Status {
   /** The length (area) of φ(M1) over M2's: 1, more where it crumples, less where parts are missed. */
   measure: number;
   stretch: Stretch;
+  /** What computed the last step: "cpu", "gpu: " and the card's name, or "cpu: " and why it is not the card. */
+  backend: string;
   /** What the match came to, in words; null while it goes on. */
   verdict: string | null;
   /**
@@ -92,6 +94,7 @@ pub(super) fn status<const D: usize>(
     progress: &SearchProgress,
     report: &Report<D>,
     verdict: Option<Verdict>,
+    backend: String,
 ) -> JsValue {
     let mut facts = [NO_FACT; 2 + FACTS];
     facts[0] = progress.stop.map_or(NO_FACT, |stop| f64::from(stop as u8));
@@ -112,6 +115,7 @@ pub(super) fn status<const D: usize>(
         ("cover", spread(&report.cover)),
         ("measure", report.measure.into()),
         ("stretch", object(&[("mean", report.stretch.mean.into()), ("deviation", report.stretch.deviation.into())])),
+        ("backend", backend.into()),
         ("verdict", or_null(verdict.map(|verdict| verdict.words))),
         ("facts", list(&facts)),
     ])

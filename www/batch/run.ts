@@ -92,7 +92,8 @@ export class BatchRun {
     this.plan.value = {
       reference,
       points: evenPoints(reference.shape, points),
-      settings: this.session.settings.value,
+      // Its workers have the first package, whatever the page's own match is computed by.
+      settings: { ...this.session.settings.value, backend: "cpu" },
     };
   }
 

@@ -1,6 +1,6 @@
 import { useSignal } from "@preact/signals";
 import type { Session } from "../session";
-import { en } from "../words/en";
+import { later } from "../words/later";
 
 /** Everything that is on the page, as an address. */
 export function CopyLink({ session }: { session: Session }) {
@@ -20,8 +20,8 @@ export function CopyLink({ session }: { session: Session }) {
     }, 1600);
   };
   return (
-    <button type="button" title={en.actions.copyHelp} onClick={copy}>
-      {en.actions[said.value]}
+    <button type="button" title={later.copying.help} onClick={copy}>
+      {later.copying[said.value]}
     </button>
   );
 }

@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import type { Session } from "../session";
-import { en } from "../words/en";
+import { later } from "../words/later";
 import { fetched } from "./fetched";
 
 /** Shows the result alone, and leaves that again. */
@@ -10,7 +10,7 @@ export function Present({ session }: { session: Session }) {
   const end = useRef<() => void>(() => {});
   const begin = async () => {
     try {
-      const part = await fetched(en.present.what, () => import("./presenting"));
+      const part = await fetched(later.present.what, () => import("./presenting"));
       end.current = part.present(session, () => {
         keys.value = null;
       });
@@ -22,8 +22,13 @@ export function Present({ session }: { session: Session }) {
   const on = keys.value !== null;
   return (
     <>
-      <button type="button" class="present" title={en.present.help} onClick={() => (on ? end.current() : void begin())}>
-        {on ? en.present.leave : en.present.enter}
+      <button
+        type="button"
+        class="present"
+        title={later.present.help}
+        onClick={() => (on ? end.current() : void begin())}
+      >
+        {on ? later.present.leave : later.present.enter}
       </button>
       {on && <p class="present-keys">{keys}</p>}
     </>

@@ -1,6 +1,7 @@
 import type { Session } from "../session";
 import type { Shape } from "../shapes/geometry";
 import { PRESETS } from "../shapes/presets";
+import { hands } from "../tools/tool";
 import { en } from "../words/en";
 import { way } from "../words/way";
 import { importing } from "./imported";
@@ -19,7 +20,7 @@ export function Presets({ session, onSurfaces }: { session: Session; onSurfaces:
         <button
           type="button"
           class="quiet"
-          title={en.examples.galleryHelp}
+          title={hands.value?.hint("gallery")}
           onClick={() => {
             importing.value = { side: "reference", input: null, gallery: true };
           }}

@@ -1,32 +1,40 @@
 import type { ReadonlySignal } from "@preact/signals";
+import { localNumbers } from "../view/local";
 import type { Match } from "../view/result";
-import { en } from "../words/en";
+import { later } from "../words/later";
 import { decimals } from "../words/numbers";
-import { local, probe } from "./viewing";
+import { probe } from "./viewing";
+
+export { localNumbers };
 
 /** The numbers at the place that is pointed at, in the half of the picture where it is not. */
-export function Readout({ match, name = en.readout.name }: Properties) {
-  const numbers = match.value && probe.value && local.value?.localNumbers(match.value, probe.value);
+export function Readout({ match, name = later.readout.name }: Properties) {
+  const numbers = match.value && probe.value && localNumbers(match.value, probe.value);
   const low = numbers && Math.max(numbers.y, numbers.partnerY) > 0.55;
   return (
     <section class={low ? "readout low" : "readout"} aria-live="polite" aria-label={name}>
       {numbers && (
         <dl>
-          <Pair label={en.readout.point} names={["point-x", "point-y"]} values={[numbers.x, numbers.y]} />
+          <Pair label={later.readout.point} names={["point-x", "point-y"]} values={[numbers.x, numbers.y]} />
           <Pair
-            label={en.readout.partner}
+            label={later.readout.partner}
             names={["partner-x", "partner-y"]}
             values={[numbers.partnerX, numbers.partnerY]}
           />
-          <Pair label={en.readout.stretch} names={["stretch"]} values={[numbers.stretch]} unit="×" />
-          <Pair label={en.readout.determinant} names={["determinant"]} values={[numbers.determinant]} unit="×" />
+          <Pair label={later.readout.stretch} names={["stretch"]} values={[numbers.stretch]} unit="×" />
+          <Pair label={later.readout.determinant} names={["determinant"]} values={[numbers.determinant]} unit="×" />
           <Pair
-            label={en.readout.curvatures}
+            label={later.readout.curvatures}
             names={["curvature", "partner-curvature"]}
             values={[numbers.curvature, numbers.partnerCurvature]}
-            unit={en.readout.perSide}
+            unit={later.readout.perSide}
           />
-          <Pair label={en.readout.distance} names={["distance"]} values={[numbers.distance]} unit={en.readout.cells} />
+          <Pair
+            label={later.readout.distance}
+            names={["distance"]}
+            values={[numbers.distance]}
+            unit={later.readout.cells}
+          />
         </dl>
       )}
     </section>

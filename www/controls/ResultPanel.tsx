@@ -7,7 +7,6 @@ import { missedBy } from "../view/unreached";
 import { en } from "../words/en";
 import { resultState, staleness } from "../words/said";
 import { MatchCanvas } from "./MatchCanvas";
-import { Readout } from "./Readout";
 import { fetchLocal, guess, lazy, limitOf, local, past, probe, view } from "./viewing";
 
 /** The match in the chosen view, with its legend and the numbers at the place pointed at. */
@@ -55,7 +54,7 @@ export function ResultPanel({ session }: { session: Session }) {
       {outdated && !past.value && <p class="outdated">{en.result.outdated[outdated]}</p>}
       <MatchCanvas label={label} scene={scene} limit={limit} drawn={drawn} />
       {Legend && <Legend session={session} match={match} limit={limit} bandwidth={width.value} />}
-      <Readout match={match} />
+      {local.value && <local.value.Readout match={match} />}
     </div>
   );
 }

@@ -4,6 +4,7 @@ import { helps } from "../words/helps";
 import { later } from "../words/later";
 import { decimals } from "../words/numbers";
 import { adopt } from "./adopt";
+import { computedBy } from "./Computed";
 import { Field } from "./Field";
 import style from "./settings.css?inline";
 
@@ -57,11 +58,13 @@ export function Setting({ session, field }: { session: Session; field: SettingFi
   const { automatic } = later.settings;
   const value = session.settings.value[field.name] ?? field.initial;
   const isAutomatic = field.name === "bandwidth" && value === 0;
+  const status = field.name === "backend" ? session.match.value?.status : undefined;
+  const last = status && later.card.last(computedBy(status));
   return (
     <Field
       field={field}
       value={value}
-      help={`${helps[field.name] ?? ""}${isAutomatic ? ` ${automatic(chosenBand(session))}` : ""}`}
+      help={`${helps[field.name] ?? ""}${isAutomatic ? ` ${automatic(chosenBand(session))}` : ""}${last ? ` ${last}` : ""}`}
       change={(next) => session.choices.change(field, next)}
       preview={(next, at) => field.kind === "number" && session.choices.preview(field, next, at)}
     />

@@ -2,6 +2,7 @@ import { isDone, isFollowing, isPaused, isWorking } from "../phase";
 import { kit } from "../pins/kit";
 import type { Session } from "../session";
 import { coarsestLevel, finestLevel } from "../settings";
+import { hands } from "../tools/tool";
 import { en } from "../words/en";
 import { decimals } from "../words/numbers";
 import { cells, gridName, headline, staleness } from "../words/said";
@@ -40,6 +41,7 @@ export function StatusPanel({ session }: { session: Session }) {
                 value={status.leastDeterminant}
                 text={decimals(status.leastDeterminant)}
               />
+              {hands.value && <hands.value.Computed status={status} />}
             </>
           )}
         </dl>

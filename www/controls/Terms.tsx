@@ -3,6 +3,7 @@ import type { Status } from "../protocol";
 import type { Result } from "../run";
 import type { Session } from "../session";
 import { FIELDS, type SettingField } from "../settings";
+import { hands } from "../tools/tool";
 import { en } from "../words/en";
 import { decimals } from "../words/numbers";
 
@@ -67,7 +68,7 @@ function Name({ session, term: { name, off } }: { session: Session; term: Term }
       type="button"
       role="switch"
       aria-checked={on}
-      title={en.terms.helps[name as keyof typeof en.terms.helps]}
+      title={hands.value?.withoutTerm(name)}
       class={`term ${name}`}
       onClick={() => {
         if (on) before.current = value;

@@ -44,7 +44,7 @@ export function Toolbar({ session }: { session: Session }) {
         <button
           type="button"
           disabled={reference.length === 0 && template.length === 0}
-          title={en.actions.fitHelp}
+          title={hands.value?.hint("fit")}
           onClick={() => session.fit()}
         >
           {en.actions.fit}

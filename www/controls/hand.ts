@@ -14,16 +14,29 @@ import { type Ground, Hand, type Tool } from "../tools/hand";
 import { curve, fetchKit, kit } from "../tools/kit";
 import { said, type ToolName } from "../tools/tool";
 import type { Surface } from "../view/canvas";
+import { later } from "../words/later";
 import { changeWords, faultWords, strokes } from "../words/strokes";
 
 const SIDES: readonly Side[] = ["reference", "template"];
 
 export { drawFaulty } from "../view/pen";
+export { Computed } from "./Computed";
 export { CopyLink } from "./CopyLink";
 export { listenForLanguage } from "./changeLanguage";
 export { Exchange } from "./Exchange";
 export { listenForImports } from "./importing";
+export { Present } from "./Present";
 export { Save } from "./Save";
+
+/** What leaving out a term means. */
+export function withoutTerm(name: string): string | undefined {
+  return later.without[name as keyof typeof later.without];
+}
+
+/** What a button does. */
+export function hint(name: keyof typeof later.hints): string {
+  return later.hints[name];
+}
 
 export function handOf(name: ToolName, session: Session, side: Side, surface: Surface): Hand {
   const ground: Ground & { restore(): void } = {

@@ -19,12 +19,12 @@ export const resting = signal(false);
 /** The place on the reference that is pointed at. */
 export const probe = signal<Probe | null>(null);
 
-/** What gives the numbers there, once it is there. */
-export const local = signal<typeof import("../view/local") | null>(null);
+/** What gives and shows the numbers there, once it is there. */
+export const local = signal<typeof import("./Readout") | null>(null);
 
 /** Throws a sentence when it cannot be had. */
 export async function fetchLocal(): Promise<void> {
-  local.value ??= await fetched(en.result.numbers, () => import("../view/local"));
+  local.value ??= await fetched(en.result.numbers, () => import("./Readout"));
 }
 
 /** An iteration that is looked at again, and what the picture says of it. */

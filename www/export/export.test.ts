@@ -50,6 +50,7 @@ function saving(): Saving & { match: NonNullable<Saving["match"]> } {
     measure: 1,
     verdict: null,
     facts: new Float64Array(0),
+    backend: "cpu",
     approach: "",
   };
   return { reference, template, pins: [], settings: {}, bandwidth: 0.05, match: { status, deformation, curves } };

@@ -26,7 +26,8 @@ export async function ask(engine: Engine, { frame, reference, template, settings
         module,
         reference: { kind: "curves", loops: [...reference] },
         template: { kind: "curves", loops: [...template] },
-        settings: complete(settings),
+        // A φ that is there needs no graphics card.
+        settings: { ...complete(settings), backend: "cpu" },
         level: frame.status.level,
         deformation: frame.deformation,
       });

@@ -1,3 +1,4 @@
+import { Computed } from "../controls/Computed";
 import { Bar, Value } from "../controls/Figures";
 import { isDone, isPaused, isWorking } from "../phase";
 import { en } from "../words/en";
@@ -43,6 +44,7 @@ export function Status({ session }: { session: SpaceSession }) {
                 value={status.leastDeterminant}
                 text={decimals(status.leastDeterminant)}
               />
+              <Computed status={status} />
             </>
           )}
         </dl>

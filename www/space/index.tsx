@@ -1,8 +1,9 @@
 /** The way into surfaces: everything of them comes with this module, on demand. */
 
 import { effect } from "@preact/signals";
+import { engineFor } from "../card/choice";
 import { Delay } from "../delay";
-import { moduleAt } from "../engine";
+import { type Engine, moduleAt } from "../engine";
 import solverUrl from "../wasm-solid/thinshell_bg.wasm?url";
 import { space as say } from "../words/space";
 import { openSolid } from "./files";
@@ -28,7 +29,16 @@ export async function open(hash: string, leave: () => void) {
   const asked = isLink ? await linked(text) : null;
   if (!session) {
     const spawn = () => new SolidWorker({ name: "thinshell solver of surfaces" });
-    session = new SpaceSession({ module: moduleAt(solverUrl), spawn }, asked?.step ?? first(), asked?.linked.look);
+    const engine: Engine = {
+      module: moduleAt(solverUrl),
+      spawn,
+      // From 65 × 65 × 65 on a card may be faster.
+      card: (settings) =>
+        settings.backend === "gpu" || (settings.backend !== "cpu" && (settings.finest ?? 0) > 5)
+          ? engineFor(settings, "space", engine)
+          : undefined,
+    };
+    session = new SpaceSession(engine, asked?.step ?? first(), asked?.linked.look);
     writeAddress(session);
     session.start();
   } else if (asked && !asked.problem && encode(asked.step, asked.linked.look) !== textOf(session)) {

@@ -15,6 +15,7 @@ const OFFERED: ReadonlySet<string> = new Set([
   "align",
   "bendingModel",
   "pinWeight",
+  "backend",
 ]);
 
 export const SPACE_FIELDS: readonly SettingField[] = FIELDS.flatMap((field): SettingField[] => {

@@ -57,5 +57,5 @@ export function puppetEngine(module: Engine["module"] = () => Promise.resolve({}
     puppets.push(puppet);
     return puppet as unknown as Worker;
   };
-  return { engine: { module, spawn }, puppets };
+  return { engine: { module, spawn } as Engine, puppets };
 }

@@ -24,6 +24,7 @@ function status(facts: readonly number[], more: Partial<Status> = {}): Status {
     cover: { mean: 0.01, max: 0.03 },
     stretch: { mean: 1, deviation: 0 },
     measure: 1,
+    backend: "cpu",
     verdict: "Fits: nowhere more than 0.03 cells off.",
     approach: "Matching the reference with the target",
     facts: Float64Array.from(facts),

@@ -19,11 +19,6 @@ export const en = page("en", {
     undo: "Undo",
     redo: "Redo",
     fit: "Fit",
-    fitHelp: "Scale and centre both shapes",
-    copy: "Copy link",
-    copied: "Copied",
-    seeAddress: "See address bar",
-    copyHelp: "A link that brings back everything: shapes, pins, settings, view",
     drawAgain: "Draw again",
     dismiss: "Dismiss",
     matchOn: (grid: string) => `Match on ${grid}`,
@@ -82,22 +77,9 @@ export const en = page("en", {
     canvas: "this browser gives no 2D canvas; use a current Firefox, Chrome or Safari",
   },
 
-  readout: {
-    name: "Numbers at the point",
-    point: "Point",
-    partner: "Partner",
-    stretch: "Stretch",
-    determinant: "Area ratio",
-    curvatures: "Curvatures",
-    distance: "Distance",
-    perSide: "per side",
-    cells: "cells",
-  },
-
   examples: {
     title: "Or start from an example",
     gallery: "Open the gallery",
-    galleryHelp: "Countries, animals and things, to be taken as reference or target",
   },
 
   view: "View",
@@ -164,18 +146,6 @@ export const en = page("en", {
     names: { membrane: "Stretching", bending: "Bending", mismatch: "Mismatch", volume: "Volume" },
     forces: "Show their forces as arrows",
     rest: (energy: string) => `Above the ${energy} that are there before anything is deformed.`,
-    helps: {
-      membrane: "Off: the shell may be stretched along the curve for nothing.",
-      bending: "Off: the shell may be bent for nothing.",
-      volume: "Off: the plane around gives way almost freely; a rest stays, or it could fold.",
-    },
-  },
-
-  present: {
-    enter: "Present",
-    what: "The presentation",
-    leave: "Leave",
-    help: "The result alone on the whole screen, in large type",
   },
 
   enlarge: { what: "The large surface", begin: (side: Side) => `Enlarge ${SIDES[side]}` },

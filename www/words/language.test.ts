@@ -48,7 +48,7 @@ const SAME = [
   "/later/energies/iteration",
   "/en/numbers/iteration",
   "/en/views/band",
-  "/en/readout/partner",
+  "/later/readout/partner",
   "/recent/when",
   "/imports/silhouette",
   "/settings/bandwidth/label",
@@ -63,6 +63,7 @@ const SAME = [
   "/told/rim",
   // Of what they are given.
   "/en/solver/words",
+  "/later/card/because",
   "/imports/words",
   "/space/percent",
   "/space/grid",

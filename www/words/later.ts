@@ -97,7 +97,13 @@ export const later = page("later", {
 
   gallery: { title: "Gallery", importing: (side: Side) => `Import a ${SIDES[side]}` },
 
-  present: { keys: "Space plays, ← → step, v next view, Esc leaves" },
+  present: {
+    enter: "Present",
+    what: "The presentation",
+    leave: "Leave",
+    help: "The result alone on the whole screen, in large type",
+    keys: "Space plays, ← → step, v next view, Esc leaves",
+  },
 
   /** What the colours of the views stand for. */
   scales: {
@@ -117,6 +123,48 @@ export const later = page("later", {
   pictures: {
     unread: "The picture could not be read; choose a PNG, JPEG or WebP file.",
     canvas: "This browser gives no 2D canvas; use a current Firefox, Chrome or Safari.",
+  },
+
+  readout: {
+    name: "Numbers at the point",
+    point: "Point",
+    partner: "Partner",
+    stretch: "Stretch",
+    determinant: "Area ratio",
+    curvatures: "Curvatures",
+    distance: "Distance",
+    perSide: "per side",
+    cells: "cells",
+  },
+
+  /** What computes, and why. */
+  card: {
+    solver: "The solver for graphics cards",
+    by: "Computed by",
+    cpu: "the processor",
+    gpu: (name: string) => `the graphics card (${name})`,
+    because: (who: string, reason: string) => `${who}: ${reason}`,
+    last: (who: string) => `Last: ${who}.`,
+  },
+
+  /** What buttons of the first load do. */
+  hints: {
+    fit: "Scale and centre both shapes",
+    gallery: "Countries, animals and things, to be taken as reference or target",
+  },
+
+  copying: {
+    copy: "Copy link",
+    copied: "Copied",
+    seeAddress: "See address bar",
+    help: "A link that brings back everything: shapes, pins, settings, view",
+  },
+
+  /** Of the switches that leave a term out. */
+  without: {
+    membrane: "Off: the shell may be stretched along the curve for nothing.",
+    bending: "Off: the shell may be bent for nothing.",
+    volume: "Off: the plane around gives way almost freely; a rest stays, or it could fold.",
   },
 
   forces: { failed: "The forces could not be computed" },

@@ -19,6 +19,7 @@ function status(more: Partial<Status> = {}): Status {
     cover: { mean: 0.01, max: 0.03 },
     stretch: { mean: 1, deviation: 0 },
     measure: 1,
+    backend: "cpu",
     verdict: "Fits: nowhere more than 0.03 cells off.",
     facts: Float64Array.of(0, 0, 4),
     approach: "Matching directly",

@@ -1,14 +1,21 @@
 use super::device::Gpu;
 use bytemuck::{NoUninit, cast_slice};
+use std::cell::Cell;
 use std::ops::Deref;
+use std::rc::Rc;
 use wgpu::BufferUsages;
 
 /// A buffer on the card, given back when it is dropped: a browser would wait for its garbage collector.
-pub(super) struct Buffer(wgpu::Buffer);
+pub(super) struct Buffer {
+    buffer: wgpu::Buffer,
+    /// Of those that there are.
+    count: Rc<Cell<usize>>,
+}
 
 impl Drop for Buffer {
     fn drop(&mut self) {
-        self.0.destroy();
+        self.buffer.destroy();
+        self.count.set(self.count.get() - 1);
     }
 }
 
@@ -16,7 +23,7 @@ impl Deref for Buffer {
     type Target = wgpu::Buffer;
 
     fn deref(&self) -> &wgpu::Buffer {
-        &self.0
+        &self.buffer
     }
 }
 
@@ -25,7 +32,10 @@ impl Buffer {
     pub fn empty(gpu: &Gpu, usage: BufferUsages, bytes: usize) -> Self {
         // No buffer may be empty, and uniforms come in sixteens.
         let size = bytes.max(16).next_multiple_of(16) as u64;
-        Self(gpu.device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false }))
+        let descriptor = wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
+        let count = gpu.buffer_count().clone();
+        count.set(count.get() + 1);
+        Self { buffer: gpu.device.create_buffer(&descriptor), count }
     }
 
     pub fn filled<T: NoUninit>(gpu: &Gpu, usage: BufferUsages, numbers: &[T]) -> Self {

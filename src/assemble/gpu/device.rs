@@ -1,5 +1,7 @@
 use super::kernels::Kernels;
-use std::cell::{OnceCell, RefCell};
+use super::pace::Pace;
+use std::cell::{Cell, OnceCell, RefCell};
+use std::collections::BTreeMap;
 use std::future::poll_fn;
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
@@ -11,8 +13,21 @@ pub struct Gpu {
     pub(super) queue: wgpu::Queue,
     name: String,
     is_software: bool,
+    /// By dimension and cells a side.
+    paces: RefCell<BTreeMap<(usize, usize), Pace>>,
+    counts: Cell<Counts>,
+    buffers: Rc<Cell<usize>>,
     trouble: Arc<Mutex<Option<String>>>,
     kernels: [OnceCell<Rc<Kernels>>; 2],
+}
+
+/// What has gone to and fro.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Counts {
+    /// Answers that were waited for, and their bytes.
+    pub readbacks: usize,
+    pub bytes_read: u64,
+    pub dispatches: usize,
 }
 
 thread_local! {
@@ -26,11 +41,16 @@ impl Gpu {
     /// # Errors
     /// A sentence, if there is no card or it refuses.
     pub async fn shared() -> Result<Rc<Self>, String> {
-        let kept = SHARED.with_borrow(Clone::clone).filter(|gpu| gpu.trouble().is_none());
-        if let Some(gpu) = kept {
+        let kept = || SHARED.with_borrow(Clone::clone).filter(|gpu| gpu.trouble().is_none());
+        if let Some(gpu) = kept() {
             return Ok(gpu);
         }
         let gpu = Self::open().await?;
+        // Who asked at the same time may have been first.
+        if let Some(first) = kept() {
+            gpu.destroy();
+            return Ok(first);
+        }
         SHARED.set(Some(gpu.clone()));
         Ok(gpu)
     }
@@ -38,6 +58,8 @@ impl Gpu {
     /// # Errors
     /// A sentence, if there is no card or it refuses.
     pub async fn open() -> Result<Rc<Self>, String> {
+        #[cfg(target_arch = "wasm32")]
+        let told = super::browser::ask().await?;
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
         let options = wgpu::RequestAdapterOptions {
             power_preference: wgpu::PowerPreference::HighPerformance,
@@ -47,7 +69,13 @@ impl Gpu {
             .request_adapter(&options)
             .await
             .map_err(|error| format!("there is no graphics card to compute on ({error})"))?;
-        let info = adapter.get_info();
+        #[cfg(not(target_arch = "wasm32"))]
+        let (name, is_software) = {
+            let info = adapter.get_info();
+            (info.name, info.device_type == wgpu::DeviceType::Cpu)
+        };
+        #[cfg(target_arch = "wasm32")]
+        let (name, is_software) = (told.name, told.is_software);
         // The limits that every device has are enough: what is large is written in slabs.
         let descriptor = wgpu::DeviceDescriptor { required_limits: wgpu::Limits::default(), ..Default::default() };
         let (device, queue) = adapter
@@ -66,8 +94,11 @@ impl Gpu {
         Ok(Rc::new(Self {
             device,
             queue,
-            is_software: info.device_type == wgpu::DeviceType::Cpu,
-            name: info.name,
+            name,
+            is_software,
+            paces: RefCell::default(),
+            counts: Cell::default(),
+            buffers: Rc::default(),
             trouble,
             kernels: Default::default(),
         }))
@@ -81,6 +112,35 @@ impl Gpu {
     /// Whether a processor plays the card.
     pub fn is_software(&self) -> bool {
         self.is_software
+    }
+
+    /// What is known of grids with so many cells a side.
+    pub fn pace<const D: usize>(&self, cells: usize) -> Option<Pace> {
+        self.paces.borrow().get(&(D, cells)).copied()
+    }
+
+    pub(super) fn keep_pace<const D: usize>(&self, cells: usize, pace: Pace) {
+        self.paces.borrow_mut().insert((D, cells), pace);
+    }
+
+    /// Since the card was opened.
+    pub fn counts(&self) -> Counts {
+        self.counts.get()
+    }
+
+    pub(super) fn count(&self, add: impl FnOnce(&mut Counts)) {
+        let mut counts = self.counts.get();
+        add(&mut counts);
+        self.counts.set(counts);
+    }
+
+    /// How many buffers there are on the card now.
+    pub fn buffers(&self) -> usize {
+        self.buffers.get()
+    }
+
+    pub(super) fn buffer_count(&self) -> &Rc<Cell<usize>> {
+        &self.buffers
     }
 
     /// Why nothing can be computed any more.
@@ -102,6 +162,10 @@ impl Gpu {
     pub(super) async fn read<T>(&self, buffer: &wgpu::Buffer, bytes: u64, take: impl FnOnce(&[u8]) -> T) -> Option<T> {
         let answer = Arc::new(Mutex::new(Answer::default()));
         let given = answer.clone();
+        self.count(|counts| {
+            counts.readbacks += 1;
+            counts.bytes_read += bytes;
+        });
         buffer.map_async(wgpu::MapMode::Read, 0..bytes, move |result| give(&given, result.is_ok()));
         #[cfg(not(target_arch = "wasm32"))]
         self.device.poll(wgpu::PollType::wait_indefinitely()).ok()?;

@@ -100,13 +100,13 @@ impl Forces {
         }
         let mut pass = encoder.begin_compute_pass(&Default::default());
         for ForcesSlab { slab, volume, shell, gather } in &self.slabs {
-            kernels.volume[order].dispatch(&mut pass, &volume[order], slab.cells.len());
-            kernels.shell[order].dispatch(&mut pass, &shell[order], slab.band);
+            kernels.volume[order].dispatch(gpu, &mut pass, &volume[order], slab.cells.len());
+            kernels.shell[order].dispatch(gpu, &mut pass, &shell[order], slab.band);
             if with_gradient {
-                kernels.gather_gradient.dispatch(&mut pass, gather, slab.nodes.len());
+                kernels.gather_gradient.dispatch(gpu, &mut pass, gather, slab.nodes.len());
             }
         }
-        kernels.reduce.dispatch(&mut pass, &self.reduce, self.groups * GROUP);
+        kernels.reduce.dispatch(gpu, &mut pass, &self.reduce, self.groups * GROUP);
         drop(pass);
         let result_bytes = self.results.size();
         let mut bytes = result_bytes;

@@ -73,9 +73,9 @@ impl Hessian {
             let bytes = (slab.nodes.len() * StencilOperator::<D>::ROW * 4) as u64;
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             let mut pass = encoder.begin_compute_pass(&Default::default());
-            kernels.volume_pairs.dispatch(&mut pass, volume, slab.cells.len());
-            kernels.shell_pairs.dispatch(&mut pass, shell, slab.band);
-            kernels.gather_blocks.dispatch(&mut pass, gather, slab.nodes.len() * StencilOperator::<D>::HALF);
+            kernels.volume_pairs.dispatch(gpu, &mut pass, volume, slab.cells.len());
+            kernels.shell_pairs.dispatch(gpu, &mut pass, shell, slab.band);
+            kernels.gather_blocks.dispatch(gpu, &mut pass, gather, slab.nodes.len() * StencilOperator::<D>::HALF);
             drop(pass);
             encoder.copy_buffer_to_buffer(&self.blocks, 0, &self.staging, 0, bytes);
             gpu.queue.submit([encoder.finish()]);

@@ -1,3 +1,4 @@
+use super::device::Gpu;
 use crate::assemble::shaders::source;
 use crate::energy::{GRADIENT, HESSIAN, VALUE};
 
@@ -101,8 +102,9 @@ impl Kernel {
     }
 
     /// So many invocations, in whole workgroups; none need be none.
-    pub fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, buffers: &wgpu::BindGroup, invocations: usize) {
+    pub fn dispatch(&self, gpu: &Gpu, pass: &mut wgpu::ComputePass<'_>, buffers: &wgpu::BindGroup, invocations: usize) {
         if invocations > 0 {
+            gpu.count(|counts| counts.dispatches += 1);
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, buffers, &[]);
             pass.dispatch_workgroups(invocations.div_ceil(GROUP) as u32, 1, 1);

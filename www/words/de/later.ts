@@ -101,7 +101,13 @@ export const later: Book["later"] = {
 
   gallery: { title: "Galerie", importing: (side) => `Importieren: ${DER[side]}` },
 
-  present: { keys: "Leertaste spielt ab, ← → Schritt, v nächste Ansicht, Esc beendet" },
+  present: {
+    enter: "Vorführen",
+    what: "die Vorführung",
+    leave: "Beenden",
+    help: "Nur das Ergebnis auf dem ganzen Bildschirm, in großer Schrift",
+    keys: "Leertaste spielt ab, ← → Schritt, v nächste Ansicht, Esc beendet",
+  },
 
   scales: {
     stretch: "Länge nachher / vorher",
@@ -120,6 +126,45 @@ export const later: Book["later"] = {
   pictures: {
     unread: "Das Bild konnte nicht gelesen werden; wählen Sie eine Datei in PNG, JPEG oder WebP.",
     canvas: "Dieser Browser bietet keine 2D-Zeichenfläche; nehmen Sie einen aktuellen Firefox, Chrome oder Safari.",
+  },
+
+  readout: {
+    name: "Zahlen am Punkt",
+    point: "Punkt",
+    partner: "Partner",
+    stretch: "Streckung",
+    determinant: "Flächenverhältnis",
+    curvatures: "Krümmungen",
+    distance: "Abstand",
+    perSide: "je Seitenlänge",
+    cells: "Zellen",
+  },
+
+  card: {
+    solver: "Der Löser für Grafikkarten",
+    by: "Gerechnet von",
+    cpu: "vom Prozessor",
+    gpu: (name) => `von der Grafikkarte (${name})`,
+    because: (who, reason) => `${who}: ${reason}`,
+    last: (who) => `Zuletzt ${who}.`,
+  },
+
+  hints: {
+    fit: "Beide Formen skalieren und in die Mitte setzen",
+    gallery: "Länder, Tiere und Dinge, als Referenz oder als Ziel zu nehmen",
+  },
+
+  copying: {
+    copy: "Link kopieren",
+    copied: "Kopiert",
+    seeAddress: "Siehe Adresszeile",
+    help: "Ein Link, der alles zurückbringt: Formen, Nadeln, Einstellungen, Ansicht",
+  },
+
+  without: {
+    membrane: "Aus: Die Schale darf sich entlang der Kurve umsonst strecken.",
+    bending: "Aus: Die Schale darf sich umsonst biegen.",
+    volume: "Aus: Die Ebene ringsum gibt fast frei nach; ein Rest bleibt, sonst könnte sie sich falten.",
   },
 
   forces: { failed: "Die Kräfte ließen sich nicht berechnen" },

@@ -16,11 +16,6 @@ export const page: Book["en"] = {
     undo: "Rückgängig",
     redo: "Wiederholen",
     fit: "Einpassen",
-    fitHelp: "Beide Formen skalieren und in die Mitte setzen",
-    copy: "Link kopieren",
-    copied: "Kopiert",
-    seeAddress: "Siehe Adresszeile",
-    copyHelp: "Ein Link, der alles zurückbringt: Formen, Nadeln, Einstellungen, Ansicht",
     drawAgain: "Neu zeichnen",
     dismiss: "Verstanden",
     matchOn: (grid) => `Auf ${grid} abgleichen`,
@@ -77,22 +72,9 @@ export const page: Book["en"] = {
     canvas: "dieser Browser bietet keine 2D-Zeichenfläche; nehmen Sie einen aktuellen Firefox, Chrome oder Safari",
   },
 
-  readout: {
-    name: "Zahlen am Punkt",
-    point: "Punkt",
-    partner: "Partner",
-    stretch: "Streckung",
-    determinant: "Flächenverhältnis",
-    curvatures: "Krümmungen",
-    distance: "Abstand",
-    perSide: "je Seitenlänge",
-    cells: "Zellen",
-  },
-
   examples: {
     title: "Oder mit einem Beispiel beginnen",
     gallery: "Galerie öffnen",
-    galleryHelp: "Länder, Tiere und Dinge, als Referenz oder als Ziel zu nehmen",
   },
 
   view: "Ansicht",
@@ -152,18 +134,6 @@ export const page: Book["en"] = {
     names: { membrane: "Streckung", bending: "Biegung", mismatch: "Abweichung", volume: "Volumen" },
     forces: "Ihre Kräfte als Pfeile zeigen",
     rest: (energy) => `Über den ${energy}, die schon da sind, bevor etwas verformt ist.`,
-    helps: {
-      membrane: "Aus: Die Schale darf sich entlang der Kurve umsonst strecken.",
-      bending: "Aus: Die Schale darf sich umsonst biegen.",
-      volume: "Aus: Die Ebene ringsum gibt fast frei nach; ein Rest bleibt, sonst könnte sie sich falten.",
-    },
-  },
-
-  present: {
-    enter: "Vorführen",
-    what: "die Vorführung",
-    leave: "Beenden",
-    help: "Nur das Ergebnis auf dem ganzen Bildschirm, in großer Schrift",
   },
 
   enlarge: { what: "die große Zeichenfläche", begin: (side) => `Vergrößern: ${DER[side]}` },

@@ -55,6 +55,10 @@ export const settings: Book["settings"] = {
     label: "Minimierer",
     options: [{ label: "projiziertes Newton-Verfahren" }, { label: "konjugierte Gradienten" }],
   },
+  backend: {
+    label: "Gerechnet von",
+    options: [{ label: "dem Schnelleren" }, { label: "dem Prozessor" }, { label: "der Grafikkarte" }],
+  },
 };
 
 export const helps: Book["helps"] = {
@@ -79,6 +83,7 @@ export const helps: Book["helps"] = {
     "Die beste Ähnlichkeit verschiebt, dreht und skaliert die Referenz zuerst auf das Ziel zu; der Artikel beginnt mit der Identität.",
   minimizer:
     "Das Newton-Verfahren macht wenige teure Schritte, die konjugierten Gradienten des Artikels viele billige.",
+  backend: "Wer rechnet. Eine Grafikkarte lohnt sich, wo Gitter groß sind.",
 };
 
 export const presets: Book["presets"] = {

@@ -19,6 +19,23 @@ export const solver: Patterns = {
     "das feinste Gitter (Stufe {finest}) braucht mit diesen Einstellungen bis zu {gigabytes} GB Speicher, mehr, als da ist; wählen Sie ein gröberes",
   "the {term} energy is {value} before anything has moved, more than numbers of this precision can balance ({most} at most); choose smaller weights, or level sets that are distances":
     "die Energie des Terms „{term}“ ist {value}, bevor sich etwas bewegt hat, mehr, als Zahlen dieser Genauigkeit ausgleichen können (höchstens {most}); wählen Sie kleinere Gewichte, oder Abstandsfelder, die Abstände sind",
+  'backend is "gpu", but {reason}; choose "auto" or "cpu"':
+    "die Grafikkarte soll rechnen, aber {reason}; lassen Sie den Schnelleren oder den Prozessor rechnen",
+  "there is no WebGPU here, which browsers reach graphics cards by":
+    "hier gibt es kein WebGPU, über das Browser Grafikkarten erreichen",
+  "the browser finds no graphics card to compute on": "der Browser findet keine Grafikkarte zum Rechnen",
+  "the graphics card refuses to compute ({why})": "die Grafikkarte weigert sich zu rechnen ({why})",
+  "the graphics card is none, the processor plays it ({name})":
+    "die Grafikkarte ist keine, der Prozessor spielt sie ({name})",
+  "on this grid the graphics card takes {card} ms for what takes the processor {processor} ms":
+    "auf diesem Gitter braucht die Grafikkarte {card} ms, wozu der Prozessor {processor} ms braucht",
+  "on this grid the processor is done before a graphics card would answer":
+    "auf diesem Gitter ist der Prozessor fertig, ehe eine Grafikkarte antwortete",
+  "the first step will tell whether the graphics card is faster":
+    "der erste Schritt wird zeigen, ob die Grafikkarte schneller ist",
+  "the graphics device was lost ({why})": "das Grafikgerät ging verloren ({why})",
+  "the graphics device failed ({why})": "das Grafikgerät versagte ({why})",
+  "the graphics device gives no answer": "das Grafikgerät antwortet nicht",
   membrane: "Streckung",
   bending: "Biegung",
   mismatch: "Abweichung",

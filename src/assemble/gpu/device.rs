@@ -3,6 +3,7 @@ use super::pace::Pace;
 use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::future::poll_fn;
+use std::mem::ManuallyDrop;
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
 use std::task::{Poll, Waker};
@@ -31,8 +32,9 @@ pub struct Counts {
 }
 
 thread_local! {
-    /// The card of this thread, and the kernels compiled for it: registrations share them.
-    static SHARED: RefCell<Option<Rc<Gpu>>> = const { RefCell::new(None) };
+    /// The card of this thread, and the kernels compiled for it: registrations share them. Not given back when the thread
+    /// ends, for what that takes of the thread may have ended before.
+    static SHARED: RefCell<Option<ManuallyDrop<Rc<Gpu>>>> = const { RefCell::new(None) };
 }
 
 impl Gpu {
@@ -41,7 +43,10 @@ impl Gpu {
     /// # Errors
     /// A sentence, if there is no card or it refuses.
     pub async fn shared() -> Result<Rc<Self>, String> {
-        let kept = || SHARED.with_borrow(Clone::clone).filter(|gpu| gpu.trouble().is_none());
+        let kept = || {
+            let gpu = SHARED.with_borrow(|shared| shared.as_deref().cloned());
+            gpu.filter(|gpu| gpu.trouble().is_none())
+        };
         if let Some(gpu) = kept() {
             return Ok(gpu);
         }
@@ -51,7 +56,7 @@ impl Gpu {
             gpu.destroy();
             return Ok(first);
         }
-        SHARED.set(Some(gpu.clone()));
+        drop(SHARED.replace(Some(ManuallyDrop::new(gpu.clone()))).map(ManuallyDrop::into_inner));
         Ok(gpu)
     }
 

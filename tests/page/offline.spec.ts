@@ -68,8 +68,8 @@ test("every file of the build is kept, none else, and the page can be installed"
   });
   for (const path of ["/index.html", "/experiments.html", "/licences.html", "/manifest.webmanifest"])
     expect(all).toContain(path);
-  // Of curves and of surfaces.
-  expect(all.filter((path) => path.endsWith(".wasm"))).toHaveLength(2);
+  // Of curves, of surfaces, and of both where a graphics card computes.
+  expect(all.filter((path) => path.endsWith(".wasm"))).toHaveLength(3);
   expect(all).not.toContain("/sw.js");
   const manifest = await (await page.request.get(`${baseURL}manifest.webmanifest`)).json();
   for (const { src } of manifest.icons) expect(all).toContain(`/${src}`);

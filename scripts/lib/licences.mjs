@@ -51,28 +51,21 @@ export function packages(names) {
 }
 
 /**
- * Every crate that is linked into the wasm. What only runs while it is built (macros, build scripts) is not in it.
+ * Every crate that is linked into one of the modules. What only runs while they are built (macros, build scripts) is in none.
  *
  * @returns {Part[]}
  */
 export function crates() {
-  const asked = ["metadata", "--format-version", "1", "--locked", "--filter-platform", "wasm32-unknown-unknown"];
-  const answer = output("cargo", asked);
-  if (answer === null) throw new Error(`\`cargo ${asked.join(" ")}\` failed: the crates' licences cannot be listed.`);
-  /** @type {{ packages: { id: string, name: string, version: string, license: string | null, manifest_path: string, targets: { kind: string[] }[] }[], resolve: { root: string, nodes: { id: string, deps: { pkg: string, dep_kinds: { kind: string | null }[] }[] }[] } }} */
-  const { packages, resolve } = JSON.parse(answer);
-  const known = new Map(packages.map((crate) => [crate.id, crate]));
-  const nodes = new Map(resolve.nodes.map((node) => [node.id, node]));
-  const linked = new Set([resolve.root]);
-  for (const id of linked) {
-    for (const { pkg, dep_kinds } of nodes.get(id)?.deps ?? []) {
-      const isMacro = known.get(pkg)?.targets.some(({ kind }) => kind.includes("proc-macro"));
-      if (!isMacro && dep_kinds.some(({ kind }) => kind === null)) linked.add(pkg);
-    }
-  }
-  return [...linked]
-    .map((id) => known.get(id))
-    .filter((crate) => crate !== undefined)
+  // The module for graphics cards has what the others have, and more.
+  const built = ["--locked", "--features", "surfaces,gpu"];
+  const edges = ["--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"];
+  // Which crates, `tree` knows: `metadata` also has those that only other platforms ask for.
+  const tree = asked(["tree", ...built, "--target", "wasm32-unknown-unknown", ...edges]);
+  const linked = new Set(tree.split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
+  /** @type {{ packages: { name: string, version: string, license: string | null, manifest_path: string }[] }} */
+  const { packages } = JSON.parse(asked(["metadata", "--format-version", "1", ...built]));
+  return packages
+    .filter(({ name, version }) => linked.has(`${name} v${version}`))
     .map(({ name, version, license, manifest_path }) => ({
       name,
       version,
@@ -80,6 +73,13 @@ export function crates() {
       text: textIn(dirname(manifest_path), name),
     }))
     .sort((a, b) => a.name.localeCompare(b.name));
+}
+
+/** @param {string[]} words what cargo is asked */
+function asked(words) {
+  const answer = output("cargo", words);
+  if (answer === null) throw new Error(`\`cargo ${words.join(" ")}\` failed: the crates' licences cannot be listed.`);
+  return answer;
 }
 
 /** Of packages that name their licence and bring no file of it. @type {Record<string, string>} */
@@ -100,6 +100,21 @@ LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRA
 OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 
 For more information, please refer to <https://unlicense.org>`,
+  // MIT; the author as its Cargo.toml names him.
+  profiling: `Copyright (c) Philip Degarmo
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
+persons to whom the Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.`,
 };
 
 /**

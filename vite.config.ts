@@ -1,3 +1,4 @@
+import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
 import { countries } from "./scripts/lib/countries.mjs";
 import { lessons } from "./scripts/lib/lessons.mjs";
@@ -10,10 +11,17 @@ const { page, worker } = licences();
 const FIRST =
   /\/www\/(engine|view\/(along|canvas|palette|morph|result)|pins\/kit|link\/text|words\/numbers)\.ts$|\/wasm\/thinshell_bg\.wasm|preload-helper|\/preact\/jsx-runtime\//;
 
+/** What a page's file says to those who write it is not sent. */
+const withoutComments: Plugin = {
+  name: "thinshell-without-comments",
+  apply: "build",
+  transformIndexHtml: (html) => html.replace(/\s*<!--.*?-->/gs, ""),
+};
+
 export default defineConfig({
   // Relative addresses: the build works under any path of any static server.
   base: "./",
-  plugins: [countries(), page, policyForDevelopment(), lessons("docs/lessons"), offline()],
+  plugins: [countries(), page, policyForDevelopment(), lessons("docs/lessons"), withoutComments, offline()],
   build: {
     target: "es2022",
     sourcemap: false,

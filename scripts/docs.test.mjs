@@ -1,7 +1,8 @@
 // What the documents point to is there.
 
+import { execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { dirname, join, posix } from "node:path";
 import { expect, test } from "vitest";
 import { root } from "./lib/process.mjs";
 
@@ -14,11 +15,20 @@ const DOCUMENTS = [
     .map((name) => `docs/${name}`),
 ];
 
+/** npm takes its time to start. */
+const PATIENCE_MILLIS = 60_000;
+
 /** Folders whose files are named in the prose as they lie in the repository. */
 const PLACES = /^(src|www|tests|scripts|examples|benches|command|docs|shaders|\.github)\//;
 
 /** Made by commands, or yet to be made. */
 const ABSENT = /^www\/wasm(-\w+)?\/|\/yours\./;
+
+/** Links within the repository. @param {string} name */
+function linksIn(name) {
+  const text = readFileSync(join(root, name), "utf8").replace(/```[\s\S]*?```/g, "");
+  return [...text.matchAll(/\]\((?!\w+:)([^)\s]*)\)/g)].map(([, link = ""]) => link);
+}
 
 /** @param {string} title as GitHub makes an anchor of it */
 function anchor(title) {
@@ -30,19 +40,36 @@ function anchor(title) {
 }
 
 test.each(DOCUMENTS)("%s: every link within the repository leads somewhere", (name) => {
-  const text = readFileSync(join(root, name), "utf8").replace(/```[\s\S]*?```/g, "");
-  const lost = [...text.matchAll(/\]\((?!\w+:)([^)\s]*)\)/g)]
-    .map(([, link = ""]) => link)
-    .filter((link) => {
-      const [path = "", part] = link.split("#");
-      const file = path === "" ? join(root, name) : join(root, dirname(name), path);
-      if (!existsSync(file)) return true;
-      if (part === undefined) return false;
-      const titles = [...readFileSync(file, "utf8").matchAll(/^#+ (.*)$/gm)].map(([, title = ""]) => anchor(title));
-      return !titles.includes(part);
-    });
+  const lost = linksIn(name).filter((link) => {
+    const [path = "", part] = link.split("#");
+    const file = path === "" ? join(root, name) : join(root, dirname(name), path);
+    if (!existsSync(file)) return true;
+    if (part === undefined) return false;
+    const titles = [...readFileSync(file, "utf8").matchAll(/^#+ (.*)$/gm)].map(([, title = ""]) => anchor(title));
+    return !titles.includes(part);
+  });
   expect(lost).toEqual([]);
 });
+
+test(
+  "what the package's documents point to is in the package",
+  () => {
+    // Only what is packed anyway is looked for, so nothing has to be built.
+    const pack = ["pack", "--dry-run", "--json", "--ignore-scripts"];
+    const said = execFileSync("npm", pack, { cwd: root, encoding: "utf8", shell: process.platform === "win32" });
+    const packed = JSON.parse(said)[0].files.map((/** @type {{ path: string }} */ { path }) => path);
+    const documents = DOCUMENTS.filter((name) => packed.includes(name));
+    expect(documents).toContain("README.md");
+    const lost = documents.flatMap((name) =>
+      linksIn(name)
+        .map((link) => posix.join(posix.dirname(name), link.split("#")[0] || posix.basename(name)))
+        .filter((path) => !packed.some((/** @type {string} */ file) => file === path || file.startsWith(`${path}/`)))
+        .map((path) => `${name}: ${path}`),
+    );
+    expect(lost).toEqual([]);
+  },
+  PATIENCE_MILLIS,
+);
 
 test.each(DOCUMENTS)("%s: every file that it names is there", (name) => {
   const text = readFileSync(join(root, name), "utf8").replace(/```[\s\S]*?```/g, "");

@@ -5,7 +5,7 @@ import { setImmediate } from "node:timers/promises";
 import { matched, type Plan } from "../www/batch/match";
 import type { Subject } from "../www/batch/subject";
 import { distinct, type Taken } from "../www/batch/subjects";
-import type { Row } from "../www/batch/tables";
+import { counts, type Row } from "../www/batch/tables";
 import { evenPoints } from "../www/morphometrics/semilandmarks";
 import type { Status } from "../www/protocol";
 import init, { Registration } from "../www/wasm/thinshell.js";
@@ -53,9 +53,10 @@ async function batch(wanted: Wanted): Promise<void> {
     if (cancelling.signal.aborted) break;
   }
   if (rows.length > 0) console.log(printed(rows));
-  const good = rows.filter(({ match }) => match).length;
+  const { matched: good, fitting } = counts(rows);
   const cancelled = cancelling.signal.aborted;
-  console.log(`${good} of ${rows.length} matched${cancelled ? ", then cancelled" : ""}; written to ${wanted.out}.`);
+  const count = `${good} of ${rows.length} matched, ${fitting} of them fit${cancelled ? ", then cancelled" : ""}`;
+  console.log(`${count}; written to ${wanted.out}.`);
   process.exitCode = cancelled ? INTERRUPTED : good === rows.length ? 0 : 1;
 }
 

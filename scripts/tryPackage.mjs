@@ -62,10 +62,14 @@ const CHECKS = [
       write(folder, "targets/broken.svg", "<svg><path d='M0 0");
       const { status, stdout } = thinshell(folder, ["--outline", "--points", "60"]);
       expect(status === 1, `the end's code is ${status}, though a file could not be read`);
-      expect(stdout.includes("20 of 21 matched"), `not all are matched:\n${stdout}`);
       expect(/^broken\.svg .*The SVG is broken/m.test(stdout), `nothing tells of the broken file:\n${stdout}`);
       const lines = read(folder, "matches/table.csv").trim().split("\n");
       expect(lines.length === 22, `the table has ${lines.length} lines`);
+      const fitting = lines.filter((line) => /,"?Fits: [^,]*/.test(line)).length;
+      expect(
+        stdout.includes(`20 of 21 matched, ${fitting} of them fit; `),
+        `the table has ${fitting} that fit:\n${stdout}`,
+      );
       const distances = lines.slice(1).map((line) => Number(line.split(",")[4]));
       expect(distances.filter((each) => each > 0.01 && each < 1).length === 20, `the distances are ${distances}`);
       const specimens = readland(read(folder, "matches/semilandmarks.tps"));
@@ -96,7 +100,10 @@ const CHECKS = [
       });
       const [code] = await once(running, "close");
       expect(code === 130, `the end's code is ${code}`);
-      expect(/(\d+) of \1 matched, then cancelled/.test(printed), `nothing tells what was finished:\n${printed}`);
+      expect(
+        /(\d+) of \1 matched, \d+ of them fit, then cancelled/.test(printed),
+        `nothing tells what was finished:\n${printed}`,
+      );
       const lines = read(folder, "matches/table.csv").trim().split("\n").length - 1;
       expect(lines >= 2 && lines < 20, `the table has ${lines} matches`);
       const files = readdirSync(join(folder, "matches")).filter((name) => name.endsWith(".json"));

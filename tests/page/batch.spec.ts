@@ -64,7 +64,7 @@ test("many files are matched with the page's reference, and one that is broken i
   await openBatch(page, [SQUARE, BROKEN, OVAL]);
   await expect(page.getByText("3 files are ready.")).toBeVisible();
   await button(page, "Match all").click();
-  await expect(status(page)).toHaveText("2 of 3 shapes are matched.", { timeout: 45_000 });
+  await expect(status(page)).toHaveText("2 of 3 shapes are matched, 2 of them fit.", { timeout: 45_000 });
   await expect(cells(page, "square").nth(0)).toHaveText(/^0\.\d{4}$/);
   await expect(cells(page, "broken").last()).toHaveText(/The JSON is broken/);
   await expect(cells(page, "oval").last()).toHaveText(/^Fits/);
@@ -92,7 +92,7 @@ test("many files are matched with the page's reference, and one that is broken i
 test("a match of the table is shown on the page, and one undo takes it back", async ({ page }) => {
   await openBatch(page, [OVAL]);
   await button(page, "Match all").click();
-  await expect(status(page)).toHaveText("1 of 1 shapes are matched.", { timeout: 45_000 });
+  await expect(status(page)).toHaveText("1 of 1 shapes are matched, 1 of them fit.", { timeout: 45_000 });
   await button(page, "oval").click();
   await expect(page.getByRole("dialog")).toBeHidden();
   await expect(page.getByRole("status").locator('data[data-name="mismatch-max"]')).toBeVisible();
@@ -106,7 +106,7 @@ test("of a TPS file each specimen is matched with the first, led by its landmark
   await page.getByRole("dialog").getByLabel("Reference").selectOption("the first shape of the files");
   await page.getByLabel("Points on each outline").fill("40");
   await button(page, "Match all").click();
-  await expect(status(page)).toHaveText("2 of 2 shapes are matched.", { timeout: 45_000 });
+  await expect(status(page)).toHaveText("2 of 2 shapes are matched, 2 of them fit.", { timeout: 45_000 });
   const found = readland(await saved(page, "Points (TPS)"));
   expect(found.map(({ id, image, points }) => [id, image, points.length])).toEqual([
     ["round", "round.jpg", 40],
@@ -138,7 +138,7 @@ test("stopping keeps what has been matched, and another start begins anew", asyn
   expect(rows).toBeLessThan(40);
   await page.getByLabel("Choose files").setInputFiles([{ ...SQUARE }]);
   await button(page, "Match all").click();
-  await expect(status(page)).toHaveText("1 of 1 shapes are matched.", { timeout: 45_000 });
+  await expect(status(page)).toHaveText("1 of 1 shapes are matched, 1 of them fit.", { timeout: 45_000 });
 });
 
 test("several files dropped anywhere open the batch", async ({ page }) => {
@@ -189,7 +189,7 @@ for (const colorScheme of ["light", "dark"] as const) {
       test("the batch has no accessibility violation and fits", async ({ page }) => {
         await openBatch(page, [SQUARE, BROKEN]);
         await button(page, "Match all").click();
-        await expect(status(page)).toHaveText("1 of 2 shapes are matched.", { timeout: 45_000 });
+        await expect(status(page)).toHaveText("1 of 2 shapes are matched, 1 of them fit.", { timeout: 45_000 });
         expect((await new AxeBuilder({ page }).include("dialog").analyze()).violations).toEqual([]);
         const [inner, outer] = await page.evaluate(() => {
           const dialog = document.querySelector("dialog");

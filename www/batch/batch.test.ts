@@ -17,7 +17,7 @@ import { initSync, Registration } from "../wasm/thinshell.js";
 import { type Matched, matched, type Plan } from "./match";
 import { own, type Subject, subjectOf, tied } from "./subject";
 import { distinct, subjectsIn } from "./subjects";
-import { type Row, referenceSize, semilandmarksCsv, semilandmarksTps, strainsCsv, tableCsv } from "./tables";
+import { counts, type Row, referenceSize, semilandmarksCsv, semilandmarksTps, strainsCsv, tableCsv } from "./tables";
 
 beforeAll(() => {
   initSync({ module: readFileSync("www/wasm/thinshell_bg.wasm") });
@@ -218,9 +218,22 @@ test("points written as CSV can be taken for shapes again, each by its name", as
 test("the table has a line for every target, also for one that could not be read", async () => {
   const { rows } = await someRows();
   const [header, one, bad] = tableCsv(rows).trimEnd().split("\n");
-  expect(header).toMatch(/^shape,file,matched,centroid_size,procrustes_distance,/);
-  expect(one).toMatch(/^"one, two",some.tps,yes,[\d.]+,[\d.e-]+,/);
-  expect(bad).toBe(`bad,bad.svg,no,${",".repeat(11)}“M0” is no shape.`);
+  expect(header).toMatch(/^shape,file,matched,centroid_size,procrustes_distance,fits,/);
+  expect(one).toMatch(/^"one, two",some.tps,yes,[\d.]+,[\d.e-]+,yes,/);
+  expect(bad).toBe(`bad,bad.svg,no,${",".repeat(12)}“M0” is no shape.`);
+});
+
+test("a match that misses the target's hole is counted as matched, and not as one that fits", async () => {
+  const { plan, rows } = await someRows();
+  const ringed = subjectOf(
+    "ringed",
+    { marks: { landmarks: NOWHERE, image: null, scale: null } },
+    prepared([blob(), blob((x, y) => [0.2 * x, 0.2 * y])], WISHES),
+  );
+  const match = await once(plan, ringed);
+  const missed: Row = { name: "ringed", file: "r.svg", outcome: match.status.verdict ?? "", target: ringed, match };
+  expect(counts([...rows, missed])).toEqual({ matched: 2, fitting: 1 });
+  expect(tableCsv([missed])).toMatch(/\nringed,r.svg,yes,[\d.]+,[\d.]+,no,[^\n]*hole/);
 });
 
 test("strains come a line a cell, with the reference's inside marked", async () => {

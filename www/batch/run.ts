@@ -12,7 +12,7 @@ import type { Plan } from "./match";
 import { Matcher } from "./matcher";
 import type { Subject } from "./subject";
 import { distinct, subjectsIn, type Taken } from "./subjects";
-import type { Row } from "./tables";
+import { counts, type Row } from "./tables";
 
 export type Choices = {
   readonly files: readonly File[];
@@ -55,9 +55,10 @@ export class BatchRun {
     try {
       matcher = new Matcher(await this.session.engine.module());
       await this.all(choices, matcher, signal);
-      this.words.value = say.done(this.good(), this.rows.value.length);
+      const { matched, fitting } = counts(this.rows.value);
+      this.words.value = say.done(matched, this.rows.value.length, fitting);
     } catch (error) {
-      this.words.value = signal.aborted ? say.stopped(this.good()) : "";
+      this.words.value = signal.aborted ? say.stopped(counts(this.rows.value).matched) : "";
       if (!signal.aborted) this.problem.value = reason(error);
     } finally {
       matcher?.stop();
@@ -141,10 +142,6 @@ export class BatchRun {
       signal.throwIfAborted();
       add({ outcome: en.solver.words(reason(error)), target: null, match: null });
     }
-  }
-
-  private good(): number {
-    return this.rows.value.filter(({ match }) => match).length;
   }
 }
 

@@ -3,6 +3,7 @@
 import { centroidSize } from "../morphometrics/configuration";
 import { type Specimen, writeTps } from "../morphometrics/tps";
 import { contains } from "../shapes/geometry";
+import { FITS } from "../words/facts";
 import { type Matched, type Plan, strained } from "./match";
 import { own, type Subject } from "./subject";
 
@@ -15,6 +16,16 @@ export type Row = {
   readonly match: Matched | null;
 };
 
+/** How many have been matched, and how many of those matches are good ones. */
+export function counts(rows: readonly Row[]): { readonly matched: number; readonly fitting: number } {
+  return { matched: rows.filter(({ match }) => match).length, fitting: rows.filter(fits).length };
+}
+
+/** By the solver's own verdict; every match comes to an end, also one that misses a hole. */
+function fits({ match }: Row): boolean {
+  return match?.status.facts[2] === FITS;
+}
+
 type Value = string | number | null | undefined;
 
 /** Columns of the table, in its order. Lengths in cells are those of the finest grid. */
@@ -24,6 +35,7 @@ const COLUMNS: readonly (readonly [string, (row: Row) => Value])[] = [
   ["matched", ({ match }) => (match ? "yes" : "no")],
   ["centroid_size", ({ match }) => match?.centroidSize],
   ["procrustes_distance", ({ match }) => match?.procrustesDistance],
+  ["fits", (row) => row.match && (fits(row) ? "yes" : "no")],
   ["mismatch_mean_cells", ({ match }) => match?.status.mismatch.mean],
   ["mismatch_max_cells", ({ match }) => match?.status.mismatch.max],
   ["cover_max_cells", ({ match }) => match?.status.cover.max],

@@ -24,7 +24,7 @@ export const batch = page("batch", {
   progress: "Batch",
   reading: (file: string) => `Reading ${file} …`,
   matching: (name: string, grid: string) => `Matching ${name}, on the ${grid} grid …`,
-  done: (good: number, all: number) => `${good} of ${all} shapes are matched.`,
+  done: (good: number, all: number, fitting: number) => `${good} of ${all} shapes are matched, ${fitting} of them fit.`,
   stopped: (good: number) => `Stopped; the ${good === 1 ? "match" : `${good} matches`} so far can be saved.`,
   failed: (why: string) => `The solver stopped unexpectedly (${why}).`,
   saved: "This is a saved match; take a shape out of it by importing it.",

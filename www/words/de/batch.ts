@@ -24,7 +24,7 @@ export const batch: Book["batch"] = {
   progress: "Stapel",
   reading: (file) => `${file} wird gelesen …`,
   matching: (name, grid) => `${name} wird abgeglichen, auf dem Gitter ${grid} …`,
-  done: (good, all) => `${good} von ${all} Formen sind abgeglichen.`,
+  done: (good, all, fitting) => `${good} von ${all} Formen sind abgeglichen, ${fitting} davon passen.`,
   stopped: (good) =>
     good === 1
       ? "Angehalten; der bisherige Abgleich lässt sich speichern."

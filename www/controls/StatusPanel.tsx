@@ -4,9 +4,8 @@ import type { Session } from "../session";
 import { coarsestLevel, finestLevel } from "../settings";
 import { hands } from "../tools/tool";
 import { en } from "../words/en";
-import { decimals } from "../words/numbers";
 import { cells, gridName, headline, staleness } from "../words/said";
-import { Bar, Value } from "./Figures";
+import { Bar, Numbers } from "./Figures";
 import { lazy, view } from "./viewing";
 
 /** What goes on, in words and as machine-readable values. */
@@ -23,28 +22,16 @@ export function StatusPanel({ session }: { session: Session }) {
         {headline({ phase, loaded: session.loaded.value, status: status ?? null, ...staleness(session) })}
       </p>
       {status && (
-        <dl class={session.stale.value ? "stale" : undefined}>
-          <Value {...named("level")} value={status.level} text={gridName(status.level)} />
-          {/* What came out best is taken up as it was, without one more. */}
-          {(working || status.iteration > 0) && (
-            <Value {...named("iteration")} value={status.iteration} text={String(status.iteration)} />
-          )}
-          <Value {...named("total")} value={status.energies.total} text={decimals(status.energies.total)} />
-          {!working && (
-            <>
-              <Value {...named("mismatch-max")} value={status.mismatch.max} {...cells(status.mismatch.max)} />
-              <Value {...named("mismatch-mean")} value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
-              <Value {...named("cover-max")} value={status.cover.max} {...cells(status.cover.max)} />
-              <Value {...named("measure")} value={status.measure} text={decimals(status.measure)} />
-              <Value
-                {...named("least-determinant")}
-                value={status.leastDeterminant}
-                text={decimals(status.leastDeterminant)}
-              />
-              {hands.value && <hands.value.Computed status={status} />}
-            </>
-          )}
-        </dl>
+        <Numbers
+          status={status}
+          stale={session.stale.value}
+          working={working}
+          labels={en.numbers}
+          grid={gridName(status.level)}
+          cells={cells}
+        >
+          {hands.value && <hands.value.Computed status={status} />}
+        </Numbers>
       )}
       {isDone(phase) && !session.stale.value && status?.verdict && status.stop && (
         <p class="stop">{en.status.stop(status)}</p>
@@ -84,10 +71,6 @@ function Resolution({ session }: { session: Session }) {
       )}
     </p>
   );
-}
-
-function named(name: keyof typeof en.numbers & string) {
-  return { name, label: en.numbers[name] };
 }
 
 /** How far the cascade is, as a part of its levels. */

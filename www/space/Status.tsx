@@ -1,5 +1,5 @@
 import { Computed } from "../controls/Computed";
-import { Bar, Value } from "../controls/Figures";
+import { Bar, Numbers, Value } from "../controls/Figures";
 import { isDone, isPaused, isWorking } from "../phase";
 import { en } from "../words/en";
 import { decimals } from "../words/numbers";
@@ -21,33 +21,26 @@ export function Status({ session }: { session: SpaceSession }) {
     <div class="status" role="status" aria-live={working && !paused && status ? "off" : "polite"}>
       <p class="headline">{headline(session)}</p>
       {status && (
-        <dl class={session.stale.value ? "stale" : undefined}>
-          <Value {...named("level")} value={status.level} text={say.grid(status.level)} />
-          {(working || status.iteration > 0) && (
-            <Value {...named("iteration")} value={status.iteration} text={String(status.iteration)} />
-          )}
-          <Value {...named("total")} value={status.energies.total} text={decimals(status.energies.total)} />
-          {!working && (
+        <Numbers
+          status={status}
+          stale={session.stale.value}
+          working={working}
+          labels={say.numbers}
+          grid={say.grid(status.level)}
+          cells={cells}
+          among={
             <>
-              <Value {...named("mismatch-max")} value={status.mismatch.max} {...cells(status.mismatch.max)} />
-              <Value {...named("mismatch-mean")} value={status.mismatch.mean} {...cells(status.mismatch.mean)} />
-              <Value {...named("cover-max")} value={status.cover.max} {...cells(status.cover.max)} />
-              <Value {...named("measure")} value={status.measure} text={decimals(status.measure)} />
               <Value
                 {...named("area-deviation")}
                 value={status.stretch.deviation}
                 text={decimals(status.stretch.deviation)}
               />
               <PinsOff session={session} />
-              <Value
-                {...named("least-determinant")}
-                value={status.leastDeterminant}
-                text={decimals(status.leastDeterminant)}
-              />
-              <Computed status={status} />
             </>
-          )}
-        </dl>
+          }
+        >
+          <Computed status={status} />
+        </Numbers>
       )}
       {isDone(phase) && !session.stale.value && status?.verdict && status.stop && (
         <p class="stop">{en.status.stop(status)}</p>

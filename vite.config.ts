@@ -11,17 +11,17 @@ const { page, worker } = licences();
 const FIRST =
   /\/www\/(engine|view\/(along|canvas|palette|morph|result)|pins\/kit|link\/text|words\/numbers)\.ts$|\/wasm\/thinshell_bg\.wasm|preload-helper|\/preact\/jsx-runtime\//;
 
-/** What a page's file says to those who write it is not sent. */
-const withoutComments: Plugin = {
-  name: "thinshell-without-comments",
+/** What a page's file says to those who write it, and how it is indented, is not sent. */
+const plain: Plugin = {
+  name: "thinshell-plain",
   apply: "build",
-  transformIndexHtml: (html) => html.replace(/\s*<!--.*?-->/gs, ""),
+  transformIndexHtml: (html) => html.replace(/\s*<!--.*?-->/gs, "").replace(/\n\s+/g, "\n"),
 };
 
 export default defineConfig({
   // Relative addresses: the build works under any path of any static server.
   base: "./",
-  plugins: [countries(), page, policyForDevelopment(), lessons("docs/lessons"), withoutComments, offline()],
+  plugins: [countries(), page, policyForDevelopment(), lessons("docs/lessons"), plain, offline()],
   build: {
     target: "es2022",
     sourcemap: false,

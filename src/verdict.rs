@@ -159,7 +159,7 @@ impl Pair {
             (Kind::Crumpled, _) => {
                 format!("Crumpled (measure {}). {}", fixed(report.measure, 2), self.distances(report))
             }
-            (Kind::Fits, _) => format!("Fits: nowhere more than {} cells off.", fixed(mismatch.max.max(cover.max), 2)),
+            (Kind::Fits, _) => fitting(mismatch.max.max(cover.max)),
             (_, Some(unresolved)) => format!("Not resolved by this grid: {unresolved}. {}", self.distances(report)),
             (_, None) => format!("Does not fit. {}", self.distances(report)),
         };
@@ -275,6 +275,11 @@ impl fmt::Display for Unresolved {
     }
 }
 
+/// Rounded upwards: "nowhere more" is to be true of the numbers beside it, too.
+fn fitting(most: f64) -> String {
+    format!("Fits: nowhere more than {} cells off.", fixed((100.0 * most).ceil() / 100.0, 2))
+}
+
 fn place(at: DVec2) -> String {
     format!("({}, {})", fixed(at.x, 2), fixed(at.y, 2))
 }
@@ -331,6 +336,13 @@ mod tests {
 
     fn still(from: &[Vec<DVec2>], to: &[Vec<DVec2>]) -> String {
         moved(from, to, |_| [0.0; 2])
+    }
+
+    #[test]
+    fn what_fits_is_nowhere_farther_off_than_is_said() {
+        for (most, said) in [(0.0, "0.00"), (0.0017, "0.01"), (0.05, "0.05"), (0.0506, "0.06"), (0.4901, "0.50")] {
+            assert_eq!(fitting(most), format!("Fits: nowhere more than {said} cells off."));
+        }
     }
 
     #[test]

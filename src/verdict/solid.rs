@@ -1,6 +1,6 @@
 //! The same for surfaces.
 
-use super::{CLOSE, COVERED, CRUMPLED, LEFT_OUT, SHAPES, capital, counted};
+use super::{CLOSE, COVERED, CRUMPLED, LEFT_OUT, SHAPES, capital, counted, fitting};
 use crate::distance::SignedDistance;
 use crate::hypersurface::Hypersurface;
 use crate::report::Report;
@@ -87,7 +87,7 @@ impl SolidPair {
             return format!("Crumpled (measure {}). {}", fixed(report.measure, 2), distances(report));
         }
         if fits && report.measure >= LEFT_OUT {
-            return format!("Fits: nowhere more than {} cells off.", fixed(mismatch.max.max(cover.max), 2));
+            return fitting(mismatch.max.max(cover.max));
         }
         match self.unresolved() {
             Some(sentence) => format!("Not resolved by this grid. {sentence} {}", distances(report)),

@@ -37,6 +37,11 @@ const far = { mismatch: { mean: 1, max: 2 }, cover: { mean: 1, max: 3.456 } };
 test.each([
   [[4, 1, 1, 2, 0.5, 0.5, ...NONE], {}, "Passt: nirgends mehr als 0,03 Zellen daneben, zu wenig, um es zu sehen."],
   [
+    [4, 1, 1, 2, 0.5, 0.5, ...NONE],
+    { cover: { mean: 0.01, max: 0.0506 } },
+    "Passt: nirgends mehr als 0,06 Zellen daneben, zu wenig, um es zu sehen.",
+  ],
+  [
     [0, 1, 2, 1, 0.25, 0.5, ...NONE],
     far,
     "Ein Teil gegen zwei Teile: Keine Verformung führt die eine Form in die andere über. Der größte Abstand ist 3,46 Zellen: Der Teil bei (0,25; 0,50) wurde nicht erreicht.",

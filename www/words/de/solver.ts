@@ -71,7 +71,7 @@ function sentence(found: Verdict, { mismatch, cover, measure }: Status): string 
     case "crumpled":
       return `Zerknittert (Längenverhältnis ${fixed(measure, 2)}). ${farthest} Die bewegte Kurve liegt in Falten: Sie ist ${decimals(measure)}-mal so lang wie das Ziel.`;
     case "fits":
-      return `Passt: nirgends mehr als ${fixed(most, 2)} Zellen daneben, zu wenig, um es zu sehen.`;
+      return `Passt: nirgends mehr als ${fixed(Math.ceil(100 * most) / 100, 2)} Zellen daneben, zu wenig, um es zu sehen.`;
     case "unresolved":
       return `Dieses Gitter löst die Form nicht auf: ${found.unresolved ? narrow(found.unresolved) : ""}. ${farthest}`;
     case "misfit":

@@ -58,6 +58,25 @@ async function finishedIn(frame: Frame): Promise<void> {
   await expect(frame.getByRole("status").locator(".headline")).toContainText("Fits", { timeout: 45_000 });
 }
 
+test("numbers keep to their columns, in German as well, whose words are longer", async ({ page }) => {
+  for (const [width, height] of [
+    [668, 540],
+    [700, 500],
+    [1280, 900],
+  ]) {
+    await page.setViewportSize({ width, height });
+    for (const lang of ["en", "de"]) {
+      await page.goto("about:blank");
+      await page.goto(`./?lang=${lang}${width < 1000 ? "&embed=result" : ""}#v=2&preset=square&finest=6`);
+      await finished(page);
+      const wide = await page
+        .locator(".status :is(dt, dd)")
+        .evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.textContent));
+      expect(wide, `${width} ${lang}`).toEqual([]);
+    }
+  }
+});
+
 test("a frame has the controls that its address names, and no others", async ({ page }) => {
   await page.goto(`./?embed=result&controls=terms&sliders=bending#${EASY}`);
   await expect(page.getByRole("switch", { name: "Bending" })).toBeVisible();

@@ -42,7 +42,7 @@ pub enum Backend {
 choices! {
     MembraneModel: MEMBRANE_MODELS {
         Intrinsic = "intrinsic", "along the moved curve";
-        Projected = "projected", "along the second curve";
+        Projected = "projected", "along the target";
     }
     BendingModel: BENDING_MODELS {
         ShapeOperator = "shape-operator", "shape operators";
@@ -95,7 +95,7 @@ declare! {
     membrane_model: MembraneModel = MembraneModel::Intrinsic => {
         name: "membraneModel", symbol: "", group: Energies, on_page: true,
         label: "Compression counts",
-        help: "Along the moved curve, as in the paper, a curve that has to shrink may crumple instead; along the second curve crumpling does not help it.",
+        help: "Along the moved curve, as in the paper, a curve that has to shrink may crumple instead; along the target crumpling does not help it.",
         kind: Kind::Choice(MEMBRANE_MODELS),
     }
     bending: f64 = 0.03 => {
@@ -120,20 +120,20 @@ declare! {
     }
     penalty: f64 = 1e3 => {
         name: "penalty", symbol: "1/ε", group: Energies, on_page: true,
-        label: "Fit",
-        help: "How strongly the first curve is drawn onto the second, on the coarsest grid.",
+        label: "Mismatch",
+        help: "How strongly the reference is drawn onto the target, on the coarsest grid.",
         kind: Kind::Number(weight(1e-6, 1e9).usual(1e-3, 1e7).unit("per side²")),
     }
     tangency: f64 = 0.25 => {
         name: "tangency", symbol: "ρ", group: Energies, on_page: true,
         label: "Tangency",
-        help: "Keeps the moved curve along the second one, not in waves about it. Coarser grids take four times as much. 0 is the paper.",
+        help: "Keeps the moved curve along the target, not in waves about it. Coarser grids take four times as much. 0 is the paper.",
         kind: Kind::Number(Range::new(0.0, 10.0, "wider than that it sees no detail").usual(0.0, 4.0).unit("cells")),
     }
     pin_weight: f64 = 1.0 => {
         name: "pinWeight", symbol: "", group: Energies, on_page: true,
         label: "Pin strength",
-        help: "How strongly pins pull, in units of the fit. 0 ignores them.",
+        help: "How strongly pins pull, in units of 1/ε. 0 ignores them.",
         kind: Kind::Number(weight(0.0, 1e6).usual(0.0, 100.0)),
     }
     volume: f64 = 1e-2 => {

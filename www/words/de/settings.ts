@@ -22,7 +22,7 @@ export const settings: Book["settings"] = {
     unit: "Seitenlängen",
   },
   penalty: {
-    label: "Anpassung 1/ε",
+    label: "Abweichung 1/ε",
     unit: "je Seitenlänge²",
   },
   tangency: {
@@ -72,7 +72,7 @@ export const helps: Book["helps"] = {
   penalty: "Wie stark die Referenz auf das Ziel gezogen wird, auf dem gröbsten Gitter.",
   tangency:
     "Hält die bewegte Kurve längs des Ziels statt in Wellen um es herum. Auf gröberen Gittern das Vierfache. 0 ist wie im Artikel.",
-  pinWeight: "Wie stark Nadeln ziehen, im Verhältnis zur Anpassung. Bei 0 wirken sie nicht.",
+  pinWeight: "Wie stark Nadeln ziehen, im Verhältnis zu 1/ε. Bei 0 wirken sie nicht.",
   volume: "Wie sehr sich die Ebene um die Kurve gegen eine Verformung wehrt.",
   finest: "Bis zu diesem Gitter wird der Abgleich verfeinert.",
   bandwidth: "Halbe Breite des Bandes der Schale um die Referenz. 0 wählt sie nach dem feinsten Gitter.",

@@ -1,0 +1,33 @@
+/** Settings, terms and the page's formula call one thing by one name and one symbol. */
+
+import { readFileSync } from "node:fs";
+import { expect, test } from "vitest";
+import { SETTINGS } from "../wasm/settings.js";
+import { en } from "./en";
+
+const WEIGHTS = { membrane: "membrane", bending: "bending", mismatch: "penalty", volume: "volume" } as const;
+
+test.each(Object.entries(WEIGHTS))("the term %s is called like its weight, %s", (term, weight) => {
+  const label = SETTINGS.find(({ name }) => name === weight)?.label;
+  expect(label).toBe(Reflect.get(en.terms.names, term));
+});
+
+test("every weight and length of the formula stands in it by the symbol that the settings show", () => {
+  const page = readFileSync("index.html", "utf8");
+  const formula = /<div class="formula">([\s\S]*?)<\/div>/.exec(page)?.[1] ?? "";
+  const text = formula
+    .replace(/<mfrac><mn>(.*?)<\/mn><mi>(.*?)<\/mi><\/mfrac>/g, "$1/$2")
+    .replace(/<msub><mi>(.*?)<\/mi><mtext>(.*?)<\/mtext><\/msub>/g, "$1_$2")
+    .replace(/<[^>]*>|\s/g, "");
+  for (const setting of [...Object.values(WEIGHTS), "thickness", "bandwidth"]) {
+    const symbol = SETTINGS.find(({ name }) => name === setting)?.symbol ?? "";
+    expect(symbol).not.toBe("");
+    expect(text).toContain(symbol);
+  }
+});
+
+test("no setting says first and second curve: they are the reference and the target", () => {
+  for (const { name, label, help, ...more } of SETTINGS) {
+    expect(`${label} ${help} ${JSON.stringify(more)}`, name).not.toMatch(/(first|second) (curve|one)/);
+  }
+});

@@ -42,6 +42,11 @@ test.each([
     "Passt: nirgends mehr als 0,06 Zellen daneben, zu wenig, um es zu sehen.",
   ],
   [
+    [4, 1, 1, 2, 0.5, 0.5, ...NONE],
+    { cover: { mean: 0.01, max: 0.5 } },
+    "Passt: nirgends mehr als 0,50 Zellen daneben.",
+  ],
+  [
     [0, 1, 2, 1, 0.25, 0.5, ...NONE],
     far,
     "Ein Teil gegen zwei Teile: Keine Verformung führt die eine Form in die andere über. Der größte Abstand ist 3,46 Zellen: Der Teil bei (0,25; 0,50) wurde nicht erreicht.",

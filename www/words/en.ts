@@ -2,7 +2,7 @@
 
 import type { Inspection, Status } from "../protocol";
 import type { View } from "../view/names";
-import { CRUMPLED, FITS } from "./facts";
+import { CRUMPLED, FITS, isSeen } from "./facts";
 import { page } from "./language";
 import { decimals } from "./numbers";
 import { SIDES, type Side, sidesSaid } from "./sides";
@@ -120,9 +120,10 @@ export const en = page("en", {
     /** What the solver says in English; in other languages it is said again from `facts` (facts.ts). */
     approach: ({ approach }: Status) => approach,
     stop: ({ stop }: Status) => stop ?? "Finished.",
-    verdict: ({ verdict, facts: [, , kind], measure }: Status): string | null => {
-      if (kind === FITS) return verdict?.replace(/\.$/, ", too small to see.") ?? null;
-      if (kind !== CRUMPLED) return verdict;
+    verdict: (status: Status): string | null => {
+      const { verdict, facts, measure } = status;
+      if (facts[2] === FITS && !isSeen(status)) return verdict?.replace(/\.$/, ", too small to see.") ?? null;
+      if (facts[2] !== CRUMPLED) return verdict;
       return `${verdict} The moved curve lies in folds: it is ${decimals(measure)} times as long as the target.`;
     },
     unresolved: ({ words }: Inspection) => words,

@@ -3,6 +3,8 @@
  * is that of src/verdict.rs, src/minimize.rs and src/search/plan.rs; where there are none, the first is -1.
  */
 
+import type { Status } from "../protocol";
+
 const STOPS = ["converged", "creeping", "noDescent", "iterationLimit", "refined", "bestOf"] as const;
 
 const APPROACHES = [
@@ -25,6 +27,11 @@ export type Kind = (typeof KINDS)[number];
 /** The kinds that English says more of. */
 export const CRUMPLED = 3;
 export const FITS = 4;
+
+/** Whether what is off is more than a pixel or two of the picture: a quarter of a cell on 129² nodes, twice that on 257². */
+export function isSeen({ level, mismatch, cover }: Pick<Status, "level" | "mismatch" | "cover">): boolean {
+  return Math.max(mismatch.max, cover.max) > 2 ** (level - 9);
+}
 
 /** A neck or gap that the grid does not resolve. */
 export type Unresolved = {

@@ -59,6 +59,21 @@ test("a result of other settings is no answer to those chosen now", () => {
   expect(resultState({ ...told, otherPins: true })).toBe("matched, but with other pins than those set now");
 });
 
+test("what fits is called too small to see only where it is, on whatever grid", () => {
+  const off = (level: number, max: number) => verdict(status({ level, cover: { mean: 0.01, max } }));
+  for (const [level, max] of [
+    [5, 0.06],
+    [7, 0.24],
+    [9, 0.9],
+  ])
+    expect(off(level, max)).toMatch(/, too small to see\.$/);
+  for (const [level, max] of [
+    [5, 0.07],
+    [7, 0.26],
+  ])
+    expect(off(level, max)).toBe("Fits: nowhere more than 0.03 cells off.");
+});
+
 test("what does not fit is never called too small to see", () => {
   expect(
     verdict(

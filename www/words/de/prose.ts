@@ -34,7 +34,7 @@ export const indexFile: FileWords = {
     },
     {
       innerHTML:
-        "Ein Abstand von einer halben <em>Zelle</em>, dem halben Gitterabstand des feinsten Gitters, ist in dieser Größe nicht zu sehen. Das kleinste Flächenverhältnis ist der kleinste Faktor, um den eine Ecke einer Zelle schrumpft; es bleibt über null.",
+        "Eine <em>Zelle</em> ist der Gitterabstand des feinsten Gitters: auf 129 × 129 Knoten einige Pixel des Bildes. Das kleinste Flächenverhältnis ist der kleinste Faktor, um den eine Ecke einer Zelle schrumpft; es bleibt über null.",
     },
     { innerHTML: "Wie es geht" },
     {

@@ -4,6 +4,7 @@ import type { Inspection, Status } from "../../protocol";
 import {
   type Approach,
   approachOf,
+  isSeen,
   type Stop,
   stopOf,
   type Unresolved,
@@ -55,8 +56,9 @@ export function unresolved({ facts, words }: Inspection): string | null {
   return found ? `${capital(narrow(found))}.` : words && again(words);
 }
 
-function sentence(found: Verdict, { mismatch, cover, measure }: Status): string {
+function sentence(found: Verdict, status: Status): string {
   const { kind, from, to } = found;
+  const { mismatch, cover, measure } = status;
   const most = Math.max(mismatch.max, cover.max);
   const farthest = distances(found, most);
   switch (kind) {
@@ -71,7 +73,7 @@ function sentence(found: Verdict, { mismatch, cover, measure }: Status): string 
     case "crumpled":
       return `Zerknittert (Längenverhältnis ${fixed(measure, 2)}). ${farthest} Die bewegte Kurve liegt in Falten: Sie ist ${decimals(measure)}-mal so lang wie das Ziel.`;
     case "fits":
-      return `Passt: nirgends mehr als ${fixed(Math.ceil(100 * most) / 100, 2)} Zellen daneben, zu wenig, um es zu sehen.`;
+      return `Passt: nirgends mehr als ${fixed(Math.ceil(100 * most) / 100, 2)} Zellen daneben${isSeen(status) ? "" : ", zu wenig, um es zu sehen"}.`;
     case "unresolved":
       return `Dieses Gitter löst die Form nicht auf: ${found.unresolved ? narrow(found.unresolved) : ""}. ${farthest}`;
     case "misfit":

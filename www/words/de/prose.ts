@@ -30,7 +30,7 @@ export const indexFile: FileWords = {
     { innerHTML: "Was Sie sehen" },
     {
       innerHTML:
-        "Die Farbe läuft einmal um die Referenz, gleichmäßig nach der Bogenlänge. Jeder Punkt behält unterwegs seine Farbe: <strong>Gleiche Farben sind einander zugeordnete Punkte.</strong> Die dünne farbige Kurve ist die Referenz, wo sie war, in ihrem schattierten Band; die dicke ist, wohin die Verformung sie führt; die blasse darunter ist das Ziel. Die Striche dazwischen verbinden Partner. Das Gitter zeigt, was mit der Ebene ringsum geschieht: Keine Zelle faltet sich je.",
+        "Die Farbe läuft einmal um die Referenz, gleichmäßig nach der Bogenlänge. Jeder Punkt behält unterwegs seine Farbe: <strong>Gleiche Farben sind einander zugeordnete Punkte.</strong> Das Gitter zeigt, was mit der Ebene ringsum geschieht: Keine Zelle faltet sich je. Was sonst gezeichnet ist, steht unter dem Bild, zu jeder Ansicht.",
     },
     {
       innerHTML:

@@ -136,20 +136,38 @@ impl<const D: usize> Cascade<D> {
         self.limit = iterations;
     }
 
-    /// Whether the next step is the first one on the finest level.
+    /// Whether the next step is the first one on another level.
     pub(crate) fn is_about_to_refine(&self) -> bool {
-        self.progress.stop.is_some() && self.level.number + 1 == self.settings.finest
+        self.progress.stop.is_some() && self.level.number < self.settings.finest
+    }
+
+    /// Levels that are left.
+    pub(crate) fn levels_left(&self) -> u32 {
+        self.settings.finest - self.level.number
+    }
+
+    /// Takes the deformation to the finest level as it is, and ends there.
+    pub(crate) async fn end(&mut self) {
+        while self.level.number < self.settings.finest {
+            self.refine().await;
+        }
+        self.progress.stop = Some(Stop::Refined);
+    }
+
+    /// Begins the next level with the deformation of this one.
+    async fn refine(&mut self) {
+        let displacement = prolongate(self.grid(), self.level.displacement());
+        self.past_evaluations += self.progress.evaluations;
+        let number = self.level.number + 1;
+        self.level = Level::new(number, &self.settings, &self.device, &self.shapes, &self.ties, Some(displacement));
+        self.level.unfold(&self.settings).await;
+        self.progress = Progress { iterations: 0, evaluations: 0, stop: None, ..self.progress };
     }
 
     /// One iteration, on the next level if this one has ended; nothing once the finest has.
     pub async fn step(&mut self) -> CascadeProgress {
-        if self.progress.stop.is_some() && self.level.number < self.settings.finest {
-            let displacement = prolongate(self.grid(), self.level.displacement());
-            self.past_evaluations += self.progress.evaluations;
-            let number = self.level.number + 1;
-            self.level = Level::new(number, &self.settings, &self.device, &self.shapes, &self.ties, Some(displacement));
-            self.level.unfold(&self.settings).await;
-            self.progress = Progress { iterations: 0, evaluations: 0, stop: None, ..self.progress };
+        if self.is_about_to_refine() {
+            self.refine().await;
         }
         let is_finest = self.level.number == self.settings.finest;
         if self.progress.stop.is_none() && !(is_finest && self.limit == 0) {

@@ -33,6 +33,8 @@ const REFINEMENT: usize = 5;
 const SHARPENING: usize = 12;
 /// Iterations between two looks whether a match is sharp enough already.
 const LOOK: usize = 4;
+/// A run is given up before each of so many of the finest levels, if it is hopeless.
+const HOPELESS_LEVELS: u32 = 2;
 /// Iterations on the finest level after which a run is judged: those that take more creep, and sharpening gets farther.
 const EXPLORATION: usize = 28;
 
@@ -158,7 +160,7 @@ impl<const D: usize> Search<D> {
         if self.stop.is_none() {
             self.inverse.take();
             if self.is_hopeless() || self.is_sharp() {
-                self.run.limit(0);
+                self.run.end().await;
             }
             if let Some(stop) = self.run.step().await.stop {
                 self.conclude(stop).await;
@@ -167,10 +169,11 @@ impl<const D: usize> Search<D> {
         self.progress()
     }
 
-    /// Whether the finest level would be wasted on a shell that is far from its aim, and can be led instead.
+    /// Whether the finest levels would be wasted on a shell that is far from its aim, and can be led instead.
     fn is_hopeless(&self) -> bool {
         let [shell, aim] = self.run.shapes();
         self.run.is_about_to_refine()
+            && self.run.levels_left() <= HOPELESS_LEVELS
             && self.plan.will_lead(self.approach)
             && can_guide(&self.shapes)
             && Fit::of(self.approach, &report(shell, aim, self.run.displacement())).is_hopeless()

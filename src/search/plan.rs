@@ -20,7 +20,9 @@ const GOOD_MEASURE: f64 = 1.1;
 const FINE_MISMATCH: f64 = 0.25;
 const FINE_COVER: f64 = 0.5;
 const FINE_SHARPENINGS: u8 = 3;
-/// In cells of the level before the finest.
+/// A round beyond the second is for a match of which the one before left at most this share of the cost.
+const RAPID: f64 = 0.75;
+/// In cells of the level that has ended.
 const HOPELESS_COST: f64 = 2.0;
 /// An exchanged match is worth inverting if it is as close as this: errors of φ⁻¹ are stretched by φ.
 const INVERTED_MISMATCH: f64 = 1.0;
@@ -157,7 +159,7 @@ impl Fit {
         self.measure <= SHARPENED_MEASURE && self.cost() <= SHARPENED_COST
     }
 
-    /// On the level before the finest: what is farther away there is not brought near by one level more.
+    /// On a level before the finest: what is farther away there is not brought near by finer ones.
     pub fn is_hopeless(&self) -> bool {
         self.cost() > HOPELESS_COST
     }
@@ -217,7 +219,10 @@ impl Plan {
     pub fn next(&mut self, last: Option<&Fit>, best: Option<&Fit>) -> Option<Approach> {
         let good = best.filter(|best| best.is_good());
         let sharpen = match (good, last) {
-            (Some(best), _) => !best.is_fine() && self.sharpened < FINE_SHARPENINGS,
+            (Some(best), last) => {
+                let rapid = last.is_some_and(|last| last.cost() <= RAPID * self.before);
+                !best.is_fine() && (self.sharpened < 2 || rapid && self.sharpened < FINE_SHARPENINGS)
+            }
             // What crumples would crumple more.
             (None, Some(last)) => {
                 let steady = last.cost() <= STEADY * self.before;
@@ -260,12 +265,16 @@ mod tests {
     }
 
     #[test]
-    fn a_good_match_is_sharpened_until_it_is_fine_or_three_times() {
-        let mut plan = plan();
-        for round in 1..=FINE_SHARPENINGS {
-            assert_eq!(plan.next(Some(&GOOD), Some(&GOOD)), Some(Approach::Sharpened(round)));
+    fn a_good_match_is_sharpened_twice_and_a_third_time_if_that_brought_it_much_nearer() {
+        for (nearer, third) in [(0.45, None), (0.3, Some(Approach::Sharpened(3)))] {
+            let mut plan = plan();
+            let fits = [0.5, 0.45, nearer].map(|mismatch| Fit { mismatch, ..GOOD });
+            let rounds = fits.map(|fit| plan.next(Some(&fit), Some(&fit)));
+            assert_eq!(rounds, [Some(Approach::Sharpened(1)), Some(Approach::Sharpened(2)), third]);
+            if third.is_some() {
+                assert_eq!(plan.next(Some(&Fit { mismatch: 0.26, ..GOOD }), Some(&GOOD)), None, "no fourth");
+            }
         }
-        assert_eq!(plan.next(Some(&GOOD), Some(&GOOD)), None);
     }
 
     #[test]

@@ -5,8 +5,8 @@ mod march;
 mod tree;
 
 pub use loops::Loop;
+pub(crate) use tree::foot;
 pub use tree::{Nearest, Tree};
-pub(crate) use tree::{foot, square_to};
 
 use crate::field::interpolate;
 use crate::grid::Grid;

@@ -1,6 +1,7 @@
 //! The signed distance of what a triangle mesh encloses.
 
 mod closed;
+mod coins;
 mod inside;
 mod spread;
 
@@ -22,8 +23,8 @@ const MOST_TRIANGLES: usize = 4_000_000;
 const LEAST_VOLUME: f64 = 1e-6;
 
 impl SignedDistance<3> {
-    /// The signed distance of the nodes to a closed mesh: exact up to a twentieth of the box and three cells, beyond to one
-    /// of the triangles that neighbours are nearest to, which may be a small part of a cell too far.
+    /// The signed distance of the nodes to a closed mesh: exact up to a twentieth of the box and three cells, beyond to a triangle
+    /// that nodes of a coarser grid are nearest to, which may be a part of a cell too far.
     ///
     /// `indices` are triples of positions. Positions that coincide are one, so that triangles need not share theirs. Where
     /// all edges are passed as often one way as the other, the inside is what the mesh winds around, so that bodies which

@@ -2,6 +2,7 @@
 
 use super::Hypersurface;
 use crate::order::ascending;
+use crate::small::{add_scaled, dot};
 use std::sync::Arc;
 
 /// Simplices that are tried one by one. In space, where one takes as long as many boxes and a thicker box is looked into from
@@ -131,42 +132,51 @@ impl<const D: usize> Bounds<D> {
     }
 }
 
-/// The squared distance of a point to a simplex.
-pub(crate) fn square_to<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D]) -> f64 {
-    foot(point, corners).0
-}
-
 /// The squared distance to a simplex, and the shares of its corners in the point that is nearest.
 pub(crate) fn foot<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D]) -> (f64, [f64; D]) {
-    let between = |from: &[f64; D], to: &[f64; D]| -> [f64; D] { std::array::from_fn(|axis| to[axis] - from[axis]) };
-    let product = |a: &[f64; D], b: &[f64; D]| -> f64 { (0..D).map(|axis| a[axis] * b[axis]).sum() };
-    let on_edge = |i: usize, j: usize| {
-        let (offset, along) = (between(&corners[i], point), between(&corners[i], &corners[j]));
-        let square = product(&along, &along);
-        let t = if square > 0.0 { (product(&offset, &along) / square).clamp(0.0, 1.0) } else { 0.0 };
-        let away: [f64; D] = std::array::from_fn(|axis| offset[axis] - t * along[axis]);
-        let mut shares = [0.0; D];
-        (shares[i], shares[j]) = (1.0 - t, t);
-        (product(&away, &away), shares)
-    };
-    if D == 3 {
-        let offset = between(&corners[0], point);
-        let (a, b) = (between(&corners[0], &corners[1]), between(&corners[0], &corners[2]));
-        let (aa, ab, bb) = (product(&a, &a), product(&a, &b), product(&b, &b));
-        let (oa, ob) = (product(&offset, &a), product(&offset, &b));
-        let det = aa * bb - ab * ab;
-        let (s, t) = ((oa * bb - ob * ab) / det, (ob * aa - oa * ab) / det);
-        // A triangle without area divides by zero and fails the comparison.
-        if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
-            let away: [f64; D] = std::array::from_fn(|axis| offset[axis] - s * a[axis] - t * b[axis]);
-            let shares = [1.0 - s - t, s, t];
-            return (product(&away, &away), std::array::from_fn(|k| shares[k]));
-        }
-        // The nearest point lies on an edge.
-        let edges = [on_edge(0, 1), on_edge(1, 2), on_edge(2, 0)];
-        return edges.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, [0.0; D]));
+    if D == 2 {
+        return on_edge(point, corners, 0, 1);
     }
-    on_edge(0, 1)
+    let offset = add_scaled(point, -1.0, &corners[0]);
+    let [a, b] = [1, 2].map(|k| add_scaled(&corners[k], -1.0, &corners[0]));
+    let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
+    let (oa, ob) = (dot(&offset, &a), dot(&offset, &b));
+    let det = aa * bb - ab * ab;
+    // The shares of the second and of the third corner in the foot on the plane, times the determinant.
+    let (s, t) = (oa * bb - ob * ab, ob * aa - oa * ab);
+    // A triangle that is hardly more than a line has no side that could be told.
+    let is_line = det <= LINE * aa * bb;
+    if !is_line && s >= 0.0 && t >= 0.0 && s + t <= det {
+        let (s, t) = (s / det, t / det);
+        let away = add_scaled(&add_scaled(&offset, -s, &a), -t, &b);
+        let shares = [1.0 - s - t, s, t];
+        return (dot(&away, &away), std::array::from_fn(|k| shares[k]));
+    }
+    // The nearest point lies on an edge that is seen from here.
+    let mut nearest = (f64::INFINITY, [0.0; D]);
+    for (is_seen, i, j) in [(t < 0.0, 0, 1), (s + t > det, 1, 2), (s < 0.0, 2, 0)] {
+        if is_seen || is_line {
+            let found = on_edge(point, corners, i, j);
+            if found.0 < nearest.0 {
+                nearest = found;
+            }
+        }
+    }
+    nearest
+}
+
+/// The squared sine of an angle of a triangle below which it is a line to [`foot`].
+const LINE: f64 = 1e-10;
+
+/// The same for the edge between two corners.
+fn on_edge<const D: usize>(point: &[f64; D], corners: &[[f64; D]; D], i: usize, j: usize) -> (f64, [f64; D]) {
+    let (offset, along) = (add_scaled(point, -1.0, &corners[i]), add_scaled(&corners[j], -1.0, &corners[i]));
+    let square = dot(&along, &along);
+    let t = if square > 0.0 { (dot(&offset, &along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let away = add_scaled(&offset, -t, &along);
+    let mut shares = [0.0; D];
+    (shares[i], shares[j]) = (1.0 - t, t);
+    (dot(&away, &away), shares)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

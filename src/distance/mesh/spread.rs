@@ -1,169 +1,107 @@
-//! Unsigned distances to triangles: exact around them, then handed on from node to node.
+//! Unsigned distances to triangles: exact around them, beyond by what is nearest to the nodes of coarser grids.
 
+use super::coins::{Coins, Near};
 use crate::grid::Grid;
-use crate::hypersurface::{Hypersurface, Tree, foot, square_to};
-use std::sync::Arc;
+use crate::hypersurface::Hypersurface;
+use glam::DVec3;
 
 /// Distances below this are exact: the usual half width of the bands in which the shell terms look at them,
 const EXACT: f64 = 0.05;
 /// and as many cells more, for the fits at the bands' borders.
 const EXACT_CELLS: f64 = 3.0;
+/// Cells by which a distance may be too far before triangles are searched through.
+const TOO_FAR: f64 = 0.25;
 
-/// Cells around a triangle whose nodes look at it.
-const REACH: f64 = 2.0;
-/// Width of a bucket of the queue, in cells.
-const BUCKET: f64 = 0.25;
+/// Feet of neighbours that are so many of their cells apart say little of the node between,
+const APART: f64 = 2.0;
+/// and where they do, as on all coarser grids, a triangle counts as the nearest if none is nearer by more than this share of its
+/// distance.
+const CLOSE: f64 = 1.0 / 256.0;
 
-/// The distance of every node: exact up to [`EXACT`] and [`EXACT_CELLS`], beyond to the triangle that the neighbour with the
-/// nearest foot is nearest to. Triangles are no longer than cells, or their boxes would be empty for the most part.
-pub(super) fn distances(grid: Grid<3>, surface: &Arc<Hypersurface<3>>) -> Vec<f64> {
-    let tree = Tree::new(surface.clone());
-    let mut field = Field {
-        grid,
-        corners: surface
-            .all_corners()
-            .map(|corners| corners.map(|corner| corner.map(|x| x * grid.cells() as f64)))
-            .collect(),
-        squares: vec![f64::INFINITY; grid.node_count()],
-        nearest: vec![0; grid.node_count()],
-    };
-    for triangle in 0..field.corners.len() {
-        field.look_around(triangle);
-    }
-    field.hand_on(&tree);
-    field.squares.iter().map(|square| square.sqrt() * grid.spacing()).collect()
+/// On grids of no more cells a side all distances are exact.
+const COARSEST: usize = 8;
+
+/// The distance of every node: exact up to [`EXACT`] and [`EXACT_CELLS`], beyond to a triangle that a neighbour on the grid of
+/// twice the spacing is nearest to, and so on, but for [`CLOSE`] where these are [`APART`]. Triangles are no longer than cells.
+pub(super) fn distances(grid: Grid<3>, surface: &Hypersurface<3>) -> Vec<f64> {
+    let exact = EXACT + (EXACT_CELLS + TOO_FAR) * grid.spacing();
+    let nodes = Nodes { coins: Coins::new(surface), exact: exact * exact };
+    let mut distances = Vec::with_capacity(grid.node_count());
+    nodes.each(grid, false, &mut |near| distances.push(near.square.sqrt()));
+    distances
 }
 
-/// Lengths are in cells.
-struct Field {
-    grid: Grid<3>,
-    corners: Vec<[[f64; 3]; 3]>,
-    squares: Vec<f64>,
-    nearest: Vec<u32>,
+struct Nodes {
+    coins: Coins,
+    /// Squared distance below which no triangle may be nearer.
+    exact: f64,
 }
 
-impl Field {
-    /// Offers a triangle to the nodes around it.
-    fn look_around(&mut self, triangle: usize) {
-        let corners = self.corners[triangle];
-        let bound = |axis: usize| {
-            let low = corners.iter().map(|corner| corner[axis]).fold(f64::INFINITY, f64::min);
-            let high = corners.iter().map(|corner| corner[axis]).fold(f64::NEG_INFINITY, f64::max);
-            let last = self.grid.cells() as f64;
-            (low - REACH).ceil().max(0.0) as usize..=(high + REACH).floor().min(last) as usize
-        };
-        let [columns, rows, layers] = [bound(0), bound(1), bound(2)];
-        let plane = Plane::of(&corners);
-        for k in layers {
-            for j in rows.clone() {
-                for i in columns.clone() {
-                    let point = [i, j, k].map(|i| i as f64);
-                    let node = self.grid.node([i, j, k]);
-                    let off = plane.distance(&point);
-                    if off * off < self.squares[node].min(REACH * REACH) {
-                        let square = square_to(&point, &corners);
-                        if square < self.squares[node] {
-                            (self.squares[node], self.nearest[node]) = (square, triangle as u32);
-                        }
+impl Nodes {
+    /// Tells of each node what it is nearest to; if `closely`, then to within [`CLOSE`] everywhere.
+    fn each(&self, grid: Grid<3>, closely: bool, tell: &mut dyn FnMut(Near)) {
+        if grid.cells() <= COARSEST || !grid.cells().is_multiple_of(2) {
+            return self.each_exactly(grid, tell);
+        }
+        let coarser = Grid::new(grid.cells() / 2);
+        let mut known = Vec::with_capacity(coarser.node_count());
+        self.each(coarser, true, &mut |near| known.push(near));
+        for k in 0..grid.side() {
+            for j in 0..grid.side() {
+                for i in 0..grid.side() {
+                    let index = [i, j, k];
+                    if index.iter().all(|i| i % 2 == 0) {
+                        tell(known[coarser.node(index.map(|i| i / 2))]);
+                        continue;
+                    }
+                    let point = index.map(|i| i as f64 * grid.spacing());
+                    let (near, is_apart) = self.as_neighbours(coarser, &known, index, &point);
+                    if near.square < self.exact {
+                        tell(self.nearer(&point, near, 1.0));
+                    } else if closely || is_apart {
+                        tell(self.nearer(&point, near, (1.0 - CLOSE).powi(2)));
+                    } else {
+                        tell(near);
                     }
                 }
             }
         }
     }
 
-    /// Looks for a nearer triangle among all; whether there is one.
-    fn refine(&mut self, node: usize, tree: &Tree<3>) -> bool {
-        let per_square = (self.grid.cells() as f64).powi(2);
-        let nearer = tree.nearer(&self.grid.position(node), self.squares[node] / per_square);
-        if let Some(nearer) = &nearer {
-            self.nearest[node] = nearer.simplex as u32;
+    /// A node looks first at what the one before it is nearest to.
+    fn each_exactly(&self, grid: Grid<3>, tell: &mut dyn FnMut(Near)) {
+        let mut triangle = 0;
+        for node in 0..grid.node_count() {
+            let point = grid.position(node);
+            let near = self.nearer(&point, self.coins.on(triangle, &point), 1.0);
+            triangle = near.triangle;
+            tell(near);
         }
-        nearer.is_some()
     }
 
-    /// The foot of a node on its triangle; its distance becomes that to this foot.
-    fn foot(&mut self, node: usize, point: &[f64; 3]) -> [f64; 3] {
-        let corners = &self.corners[self.nearest[node] as usize];
-        let (square, shares) = foot(point, corners);
-        self.squares[node] = square;
-        std::array::from_fn(|axis| (0..3).map(|k| shares[k] * corners[k][axis]).sum())
-    }
-
-    /// Nodes in about the order of their distances offer their feet to their neighbours: the distance of a neighbour to a
-    /// foot takes a fraction of that to a triangle, and tells which triangle is the nearest.
-    fn hand_on(&mut self, tree: &Tree<3>) {
-        let bucket_of = |square: f64| (square.sqrt() / BUCKET) as usize;
-        let mut buckets: Vec<Vec<u32>> = Vec::new();
-        let push = |buckets: &mut Vec<Vec<u32>>, square: f64, node: usize| {
-            let bucket = bucket_of(square);
-            if bucket >= buckets.len() {
-                buckets.resize_with(bucket + 1, Vec::new);
-            }
-            buckets[bucket].push(node as u32);
-        };
-        for (node, &square) in self.squares.iter().enumerate().filter(|(_, square)| square.is_finite()) {
-            push(&mut buckets, square, node);
-        }
-        // What is handed on is too far by less than a cell.
-        let exact = EXACT * self.grid.cells() as f64 + EXACT_CELLS + 1.0;
-        let mut is_done = vec![false; self.squares.len()];
-        let mut number = 0;
-        while number < buckets.len() {
-            let bucket = std::mem::take(&mut buckets[number]);
-            for node in bucket.into_iter().map(|node| node as usize) {
-                // One that has become nearer since was there before.
-                if std::mem::replace(&mut is_done[node], true) {
-                    continue;
-                }
-                let index = self.grid.node_index(node);
-                let point = index.map(|i| i as f64);
-                let mut foot = self.foot(node, &point);
-                if (REACH * REACH..exact * exact).contains(&self.squares[node]) && self.refine(node, tree) {
-                    foot = self.foot(node, &point);
-                }
-                for axis in 0..3 {
-                    for (step, at_border) in [(-1.0, 0), (1.0, self.grid.cells())] {
-                        if index[axis] == at_border {
-                            continue;
-                        }
-                        let stride = self.grid.stride(axis);
-                        let other = if step < 0.0 { node - stride } else { node + stride };
-                        // Nodes near the surface know their triangle already, and those nearer than this one too.
-                        if is_done[other] || self.squares[other] <= REACH * REACH {
-                            continue;
-                        }
-                        let mut offset: [f64; 3] = std::array::from_fn(|k| point[k] - foot[k]);
-                        offset[axis] += step;
-                        let square = offset.iter().map(|x| x * x).sum();
-                        if square < self.squares[other] {
-                            (self.squares[other], self.nearest[other]) = (square, self.nearest[node]);
-                            push(&mut buckets, square, other);
-                        }
+    /// Of a node's neighbours on the coarser grid that whose foot is nearest tells the triangle. Whether their feet are
+    /// [`APART`], as on both sides of a node in the middle of a body.
+    fn as_neighbours(&self, coarser: Grid<3>, known: &[Near], [i, j, k]: [usize; 3], point: &[f64; 3]) -> (Near, bool) {
+        let (mut least, mut triangle) = (f64::INFINITY, 0);
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for k in k / 2..=k.div_ceil(2) {
+            for j in j / 2..=j.div_ceil(2) {
+                for i in i / 2..=i.div_ceil(2) {
+                    let near = &known[coarser.node([i, j, k])];
+                    let foot = DVec3::from(near.foot);
+                    let square = foot.distance_squared(DVec3::from(*point));
+                    if square < least {
+                        (least, triangle) = (square, near.triangle);
                     }
+                    (low, high) = (low.min(foot), high.max(foot));
                 }
             }
-            // Those that came back into the bucket under work are next.
-            if buckets[number].is_empty() {
-                number += 1;
-            }
         }
-    }
-}
-
-struct Plane {
-    origin: [f64; 3],
-    normal: [f64; 3],
-}
-
-impl Plane {
-    fn of([a, b, c]: &[[f64; 3]; 3]) -> Self {
-        let [a3, b3, c3] = [a, b, c].map(|corner| glam::DVec3::from(*corner));
-        // A triangle without area has no plane: everything may be near.
-        let normal = (b3 - a3).cross(c3 - a3).try_normalize().unwrap_or(glam::DVec3::ZERO);
-        Self { origin: *a, normal: normal.to_array() }
+        (self.coins.on(triangle, point), (high - low).max_element() > APART * coarser.spacing())
     }
 
-    fn distance(&self, point: &[f64; 3]) -> f64 {
-        (0..3).map(|axis| (point[axis] - self.origin[axis]) * self.normal[axis]).sum()
+    /// The nearest of all, if its squared distance is less than this share of what is known.
+    fn nearer(&self, point: &[f64; 3], known: Near, share: f64) -> Near {
+        self.coins.nearer(point, share * known.square).unwrap_or(known)
     }
 }

@@ -116,19 +116,12 @@ fn shell_pairs(@builtin(global_invocation_id) id: vec3u) {
     }
 }
 
-// The block of a node and a neighbour: the sum over the slab's cells that have both as corners.
-@compute @workgroup_size(GROUP)
-fn gather_blocks(@builtin(global_invocation_id) id: vec3u) {
-    let layer_nodes = stride_of(D - 1u);
-    let number = id.x / HALF;
-    if number >= (slab.layers + 1u) * layer_nodes {
-        return;
-    }
-    let node = slab.first_layer * layer_nodes + number;
+// The block of a node and a neighbour that does not come before it: the sum over the slab's cells that have both as corners.
+fn gathered(node: u32, slot: u32) -> Mat {
     var sum = Mat();
     for (var corner = 0u; corner < CORNERS; corner++) {
         var other = 0u;
-        var rest = CENTRE + id.x % HALF;
+        var rest = CENTRE + slot;
         var within = true;
         for (var axis = 0u; axis < D; axis++) {
             // One more than the corner's bit, or −1, if the neighbour is beyond the cell.
@@ -147,6 +140,18 @@ fn gather_blocks(@builtin(global_invocation_id) id: vec3u) {
             }
         }
     }
+    return sum;
+}
+
+// All blocks of a node side by side, for whoever reads them back.
+@compute @workgroup_size(GROUP)
+fn gather_blocks(@builtin(global_invocation_id) id: vec3u) {
+    let layer_nodes = stride_of(D - 1u);
+    let number = id.x / HALF;
+    if number >= (slab.layers + 1u) * layer_nodes {
+        return;
+    }
+    let sum = gathered(slab.first_layer * layer_nodes + number, id.x % HALF);
     for (var i = 0u; i < D; i++) {
         for (var j = 0u; j < D; j++) {
             blocks[id.x * BLOCK + i * D + j] = sum[i][j];

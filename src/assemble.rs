@@ -8,16 +8,18 @@ mod device;
 mod gpu;
 #[cfg(any(test, feature = "gpu"))]
 mod shaders;
+pub mod step;
 
 pub use cpu::CpuAssembler;
 pub(crate) use device::AnyAssembler;
 pub use device::Device;
 #[cfg(feature = "gpu")]
-pub use gpu::{Clock, Counts, Gpu, GpuAssembler, Pace, set_clock};
+pub use gpu::{Clock, Counts, Gpu, GpuAssembler, GpuMultigrid, Pace, set_clock};
 
 use crate::energy::Energies;
 use crate::grid::Grid;
 use crate::stencil::StencilOperator;
+use step::{Ask, Attempt};
 
 /// The energies at one displacement, and whether it is admissible.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,4 +62,15 @@ pub trait Assembler<const D: usize> {
         gradient: &mut [f64],
         operator: &mut StencilOperator<D>,
     ) -> Evaluation;
+
+    /// Tries a step of Newton's method where the displacement stays with the assembler, from `start` if it is not there yet.
+    /// None where it does not, or does not any more: then the step is the minimiser's affair.
+    async fn attempt(&mut self, _start: Option<&[f64]>, _ask: &Ask) -> Option<Attempt> {
+        None
+    }
+
+    /// Overwrites `displacement` with the one that stays with the assembler. None if it is lost.
+    async fn fetch(&mut self, _displacement: &mut [f64]) -> Option<()> {
+        None
+    }
 }

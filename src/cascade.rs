@@ -170,13 +170,26 @@ impl<const D: usize> Cascade<D> {
             self.refine().await;
         }
         let is_finest = self.level.number == self.settings.finest;
-        if self.progress.stop.is_none() && !(is_finest && self.limit == 0) {
+        if self.progress.stop.is_none() {
             self.progress = self.level.step().await;
         }
         if is_finest && self.progress.iterations >= self.limit {
+            #[cfg(feature = "gpu")]
+            if self.level.fetch().await.is_none() {
+                // What was done is lost, and as much is to be done again.
+                self.limit += self.limit;
+                return self.progress();
+            }
             self.progress.stop = self.progress.stop.or(Some(Stop::Refined));
         }
         self.progress()
+    }
+
+    /// Brings the displacement up to date: between steps it may stay on a graphics card.
+    #[cfg(feature = "gpu")]
+    pub(crate) async fn fetch(&mut self) {
+        // What is lost the next step finds again.
+        let _ = self.level.fetch().await;
     }
 
     /// The state after the last step, or at the start.
@@ -199,7 +212,7 @@ impl<const D: usize> Cascade<D> {
         self.level.assembler.grid()
     }
 
-    /// u = φ − x at the nodes of the current level.
+    /// u = φ − x at the nodes of the current level, as it was fetched last or at the level's end.
     pub fn displacement(&self) -> &[f64] {
         self.level.displacement()
     }

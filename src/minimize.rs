@@ -4,9 +4,13 @@
 mod line_search;
 mod ncg;
 mod newton;
+#[cfg(feature = "gpu")]
+mod resident;
 
 pub use ncg::Ncg;
 pub use newton::Newton;
+#[cfg(feature = "gpu")]
+pub use resident::Resident;
 
 use crate::assemble::{Assembler, Evaluation};
 use std::fmt;

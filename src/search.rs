@@ -143,6 +143,8 @@ impl<const D: usize> Search<D> {
         settings.validate()?;
         let device = Device::open(settings.backend).await?;
         let shapes = [Rc::new(reference), Rc::new(template)];
+        #[cfg(feature = "gpu")]
+        self.fetch().await;
         let displacement = self.displacement().to_vec();
         let pins: Rc<[Pin<D>]> = pins.into();
         let (ties, level) = (Ties::of(pins.clone()), self.progress().level);
@@ -159,6 +161,10 @@ impl<const D: usize> Search<D> {
     pub async fn step(&mut self) -> SearchProgress {
         if self.stop.is_none() {
             self.inverse.take();
+            #[cfg(feature = "gpu")]
+            if matches!(self.approach, Approach::Sharpened(_)) {
+                self.fetch().await;
+            }
             if self.is_hopeless() || self.is_sharp() {
                 self.run.end().await;
             }
@@ -186,6 +192,12 @@ impl<const D: usize> Search<D> {
             && iteration > 0
             && iteration.is_multiple_of(LOOK)
             && self.fit().is_fine()
+    }
+
+    /// Brings the displacement up to date: between steps it may stay on a graphics card. Once the search has ended it is.
+    #[cfg(feature = "gpu")]
+    pub async fn fetch(&mut self) {
+        self.run.fetch().await;
     }
 
     /// Judges the run that has ended and begins the next one, or ends the search.

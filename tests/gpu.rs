@@ -1,9 +1,12 @@
 //! The assembler on a graphics card against the processor's, which is f64 and the truth.
 
+#[path = "common/card.rs"]
+mod card;
 mod common;
 #[path = "common/solids.rs"]
 mod solids;
 
+use card::card;
 use common::{Random, star};
 use glam::DQuat;
 use solids::{octahedron, solid};
@@ -28,19 +31,6 @@ const ENERGY: f64 = 1e-5;
 const GRADIENT: f64 = 1e-4;
 /// Of H d, relative to its norm: the processor's operator is f32 as well.
 const HESSIAN: f64 = 1e-4;
-
-/// The card, or a processor that plays one. Without, there is nothing to test; on a machine that is to test everything
-/// that is a failure.
-fn card() -> Option<Rc<Gpu>> {
-    match ready(Gpu::open()) {
-        Ok(gpu) => Some(gpu),
-        Err(reason) => {
-            assert!(std::env::var_os("CI").is_none(), "CI has a software card: {reason}");
-            eprintln!("skipped: {reason}; on Debian `apt-get install mesa-vulkan-drivers` brings one");
-            None
-        }
-    }
-}
 
 /// The level set of an ellipsoid, turned a little: smooth where the band is, and no symmetry hides an error.
 fn shape<const D: usize>(level: u32, centre: f64, axes: [f64; 3]) -> SignedDistance<D> {

@@ -1,70 +1,20 @@
 //! The multigrid cycle as a theorem: symmetric, and converging at a rate that does not depend on the level.
 
 mod common;
+#[path = "common/operators.rs"]
+mod operators;
 #[path = "common/solids.rs"]
 mod solids;
 
-use common::{circle, ellipse, leaf};
-use solids::{ellipsoid, solid, sphere};
+use common::leaf;
+use operators::{apply, curves, energy_norm, fill_sobolev, hessian, noise, surfaces};
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;
 use thinshell::multigrid::Multigrid;
-use thinshell::quadrature::Rule;
 use thinshell::ready::ready;
 use thinshell::settings::Settings;
 use thinshell::stencil::StencilOperator;
-
-/// The mass matrix plus β²/2 times the stiffness matrix, for each component by itself.
-fn fill_sobolev<const D: usize>(operator: &mut StencilOperator<D>, beta: f64) {
-    let grid = operator.grid();
-    let (rule, h, offsets) = (Rule::<D, 3>::gauss3(), grid.spacing(), grid.corner_offsets());
-    let neighbours = StencilOperator::<D>::corner_neighbours();
-    operator.clear();
-    for cell in 0..grid.cell_count() {
-        let base = grid.lowest_node(cell);
-        for a in 0..Grid::<D>::CORNERS {
-            for b in a..Grid::<D>::CORNERS {
-                let mut entry = 0.0;
-                for point in 0..Rule::<D, 3>::POINTS {
-                    let local: [f64; D] = std::array::from_fn(|axis| {
-                        (0..Grid::<D>::CORNERS).map(|c| rule.shape[point][c] * (c >> axis & 1) as f64).sum()
-                    });
-                    let weights = thinshell::field::CornerWeights::at(&local);
-                    let slopes: f64 =
-                        (0..D).map(|k| weights.derivative[a][k] * weights.derivative[b][k] / (h * h)).sum();
-                    entry += rule.weight[point] * (weights.value[a] * weights.value[b] + 0.5 * beta * beta * slopes);
-                }
-                let node = base + offsets[a];
-                let diagonal = (entry * h.powi(D as i32)) as f32;
-                let block = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal } else { 0.0 }));
-                operator.add([node / grid.side(), node % grid.side()], neighbours[a][b], &block);
-            }
-        }
-    }
-}
-
-/// A x by the stencil, f64.
-fn apply<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> Vec<f64> {
-    let mut result = vec![0.0; x.len()];
-    operator.for_each_block(|node, other, block| {
-        for i in 0..D {
-            for j in 0..D {
-                result[node * D + i] += f64::from(block[i][j]) * x[other * D + j];
-            }
-        }
-    });
-    result
-}
-
-fn noise(count: usize) -> Vec<f64> {
-    let mut random = common::Random(17);
-    (0..count).map(|_| random.between(-1.0, 1.0)).collect()
-}
-
-fn energy_norm<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> f64 {
-    apply(operator, x).iter().zip(x).map(|(a, b)| a * b).sum::<f64>().sqrt()
-}
 
 /// The factor by which one cycle reduces the error in the energy norm, after the first cycles.
 fn contraction<const D: usize>(multigrid: &mut Multigrid<D>, grid: Grid<D>) -> f64 {
@@ -104,34 +54,6 @@ fn the_sobolev_operator_converges_by_a_factor_below_a_fifth_on_every_level() {
         let factor = sobolev_factor::<3>(cells, 1.0);
         assert!(factor < 0.2, "{cells}³ cells: {factor}");
     }
-}
-
-fn curves(level: u32) -> [SignedDistance<2>; 2] {
-    [circle([0.5; 2], 0.15), ellipse([0.5; 2], 0.3, 0.2)]
-        .map(|curve| SignedDistance::from_loops(Grid::of_level(level), &[curve]).expect("a valid curve"))
-}
-
-fn surfaces(level: u32) -> [SignedDistance<3>; 2] {
-    [solid(level, sphere(0.2)), solid(level, ellipsoid([0.3, 0.22, 0.18]))]
-}
-
-/// The hessian of a pair under a stretch of the box, and the gradient there.
-fn hessian<const D: usize>(level: u32, [reference, template]: [SignedDistance<D>; 2]) -> (Multigrid<D>, Vec<f64>) {
-    let grid = Grid::<D>::of_level(level);
-    let mut assembler: CpuAssembler<D> =
-        CpuAssembler::new(&Settings::default().functional(level), &reference, &template);
-    let displacement: Vec<f64> = (0..grid.node_count())
-        .flat_map(|node| {
-            let x: [f64; D] = grid.position(node);
-            std::array::from_fn::<f64, D, _>(|k| [0.4, 0.3, 0.2][k] * (x[k] - 0.5))
-        })
-        .collect();
-    let mut multigrid = Multigrid::new(grid);
-    let mut gradient = vec![0.0; displacement.len()];
-    let evaluation = ready(assembler.hessian(&displacement, &mut gradient, multigrid.operator_mut()));
-    assert!(evaluation.is_admissible());
-    multigrid.prepare();
-    (multigrid, gradient)
 }
 
 fn is_solved_in_a_few_steps<const D: usize>((mut multigrid, gradient): (Multigrid<D>, Vec<f64>), what: &str) {

@@ -1,6 +1,7 @@
 //! What evaluates a level: the processor, or a graphics card where there is one and it is faster. Without the feature `gpu`,
 //! `processor.rs` stands here.
 
+use super::step::{Ask, Attempt};
 use super::{Assembler, CpuAssembler, Evaluation, Gpu, GpuAssembler};
 use crate::error::Error;
 use crate::grid::Grid;
@@ -112,5 +113,13 @@ impl<const D: usize> Assembler<D> for AnyAssembler<D> {
         operator: &mut StencilOperator<D>,
     ) -> Evaluation {
         of_any!(self, assembler => assembler.hessian(displacement, gradient, operator).await)
+    }
+
+    async fn attempt(&mut self, start: Option<&[f64]>, ask: &Ask) -> Option<Attempt> {
+        of_any!(self, assembler => assembler.attempt(start, ask).await)
+    }
+
+    async fn fetch(&mut self, displacement: &mut [f64]) -> Option<()> {
+        of_any!(self, assembler => assembler.fetch(displacement).await)
     }
 }

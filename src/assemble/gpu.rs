@@ -2,7 +2,10 @@
 //!
 //! Displacements are differenced before they are rounded, sums are trees whose last stage is f64, and what f32 cannot
 //! decide the processor's twin does: whether a deformation next to a fold is admissible, and what a displacement that is
-//! no number costs. So both take the same steps. Pins, a few multiplications each, are the twin's too.
+//! no number costs. So both take the same steps. Pins, a few multiplications each, are the twin's too, and where there are
+//! any the displacement stays with the processor.
+//!
+//! A step of Newton's method stays on the card as a whole ([`attempt`](Assembler::attempt)): what comes back are sums.
 //!
 //! Where both may compute, the first derivatives of a size tell who is faster ([`Pace`]).
 //!
@@ -14,26 +17,33 @@ mod browser;
 mod buffer;
 mod device;
 mod forces;
+mod gradients;
 mod hessian;
+mod hierarchy;
 mod kernels;
 mod level;
+mod multigrid;
 mod pace;
+mod resident;
 mod slab;
 mod upload;
 
 pub use device::{Counts, Gpu};
+pub use multigrid::GpuMultigrid;
 pub use pace::{Clock, Pace, set_clock};
 
+use super::step::{Ask, Attempt, Renewal, is_enough};
 use super::{Assembler, CpuAssembler, Evaluation};
 use crate::energy::{Energies, GRADIENT, HESSIAN, VALUE};
 use crate::grid::Grid;
 use crate::ready::ready;
 use crate::stencil::StencilOperator;
 use bytemuck::cast_slice;
-use forces::Forces;
-use hessian::Hessian;
+use forces::{Forces, Sums};
+use hessian::{Hessian, Pairs};
 use kernels::Kernels;
 use level::Level;
+use resident::{EAGER, Resident, STEPS};
 use slab::BandRows;
 use std::rc::Rc;
 use upload::Upload;
@@ -42,6 +52,9 @@ use upload::Upload;
 /// f32 it is wrong by some 2⁻²³ of that unit: nearer than that it may have either sign in f64, and long before, the energy,
 /// which has it squared in a denominator, has lost its fifth digit.
 const DOUBT: f64 = 1e-2;
+
+/// By more than this no determinant is wrong that lies so near to zero.
+const ROUNDED: f64 = 1e-4;
 
 /// Evaluates the functional of one level on a graphics card.
 pub struct GpuAssembler<const D: usize> {
@@ -69,13 +82,15 @@ struct There<const D: usize> {
     forces: Forces,
     /// Made when the first hessian is asked for.
     hessian: Option<Hessian>,
+    /// Made when the first step is asked for; None if it was, and cannot be.
+    resident: Option<Option<Resident<D>>>,
 }
 
 impl<const D: usize> There<D> {
     fn new(gpu: &Gpu, twin: &CpuAssembler<D>) -> Self {
         let (kernels, band, level) = (gpu.kernels::<D>(), BandRows::of(twin), Level::new(gpu, twin));
         let forces = Forces::new(gpu, &kernels, &level, twin, &band);
-        Self { kernels, upload: Upload::new(twin.grid), level, band, forces, hessian: None }
+        Self { kernels, upload: Upload::new(twin.grid), level, band, forces, hessian: None, resident: None }
     }
 }
 
@@ -186,27 +201,88 @@ impl<const D: usize> GpuAssembler<D> {
         if gpu.trouble().is_some() {
             return None;
         }
-        let There { kernels, upload, level, band, forces, hessian } =
+        let There { kernels, upload, level, band, forces, hessian, .. } =
             there.get_or_insert_with(|| There::new(gpu, twin));
         let numbers = upload.of(displacement)?;
         gpu.queue.write_buffer(&level.nodes, 0, cast_slice(numbers));
         let sums = forces.evaluate(gpu, kernels, gradient).await?;
-        let [membrane, bending, mismatch, volume] = sums.energies;
-        let mut energies = Energies { membrane, bending, mismatch, volume, pins: 0.0 };
-        // Not a number is not greater, either.
-        let is_decided = sums.ratio.abs() > DOUBT && energies.total().is_finite();
-        if !is_decided {
-            return None;
-        }
+        let mut evaluation = decided(&sums)?;
         if sums.least > 0.0 {
             if let Some(operator) = &mut operator {
-                let hessian = hessian.get_or_insert_with(|| Hessian::new(gpu, kernels, level, twin, band));
+                let pairs = || Pairs::new(gpu, kernels, level, twin, band);
+                let hessian = hessian.get_or_insert_with(|| Hessian::new::<D>(gpu, kernels, level, pairs()));
                 hessian.evaluate(gpu, kernels, operator).await?;
             }
-            twin.add_pins::<ORDER>(displacement, gradient, &mut operator, &mut energies);
+            twin.add_pins::<ORDER>(displacement, gradient, &mut operator, &mut evaluation.energies);
         }
-        Some(Evaluation { energies, least_determinant: sums.least })
+        Some(evaluation)
     }
+
+    /// The same step as a minimiser would make that has derivatives and energies from here.
+    async fn try_step(&mut self, start: Option<&[f64]>, ask: &Ask) -> Option<Attempt> {
+        let Self { gpu, twin, chosen, there } = self;
+        // Pins are the twin's, which has no displacement then.
+        if !matches!(chosen, Chosen::Card) || gpu.trouble().is_some() || twin.has_pins() {
+            return None;
+        }
+        let There { kernels, level, band, forces, resident, .. } = there.get_or_insert_with(|| There::new(gpu, twin));
+        let made =
+            || Resident::new(gpu, kernels, level, forces, Pairs::new(gpu, kernels, level, twin, band), twin.grid);
+        let resident = resident.get_or_insert_with(made).as_mut()?;
+        let mut renewal = ask.renewal;
+        if let Some(displacement) = start {
+            resident.put(gpu, displacement)?;
+            renewal = Renewal::Hessian;
+        }
+        if !resident.is_there {
+            return None;
+        }
+        let told = resident.search(gpu, kernels, forces, renewal, ask.shift).await?;
+        // The direction solves H d = +∇E: the way down is against it.
+        let slope = -told.slope;
+        let mut trials = told.sums.into_iter();
+        let before = decided(&trials.next()?).filter(Evaluation::is_admissible)?;
+        let mut attempt = Attempt { before, taken: None, evaluations: 1 };
+        for number in (1..STEPS.len()).take_while(|_| slope < 0.0) {
+            if number == EAGER {
+                trials = resident.search_on(gpu, kernels, forces).await?.sums.into_iter();
+            }
+            let sums = trials.next()?;
+            let length = STEPS[number];
+            attempt.evaluations += 1;
+            let after = match decided(&sums) {
+                Some(evaluation) => evaluation,
+                None if is_refused_anyway(&before, &sums, length, slope) => continue,
+                None => {
+                    let mut displacement = vec![0.0; twin.grid.node_count() * D];
+                    resident.fetch(gpu, Some(number), &mut displacement).await?;
+                    ready(twin.energy(&displacement))
+                }
+            };
+            if is_enough(&before, &after, length, slope) {
+                resident.choose(number);
+                attempt.taken = Some((length, after));
+                break;
+            }
+        }
+        Some(attempt)
+    }
+}
+
+/// What the sums say; None where that is the twin's affair.
+fn decided(sums: &Sums) -> Option<Evaluation> {
+    let [membrane, bending, mismatch, volume] = sums.energies;
+    let energies = Energies { membrane, bending, mismatch, volume, pins: 0.0 };
+    // Not a number is not greater, either.
+    let is_decided = sums.ratio.abs() > DOUBT && energies.total().is_finite();
+    is_decided.then_some(Evaluation { energies, least_determinant: sums.least })
+}
+
+/// Whether a step next to a fold would not be enough even if it cost no energy, however its least determinant is rounded.
+fn is_refused_anyway(before: &Evaluation, sums: &Sums, length: f64, slope: f64) -> bool {
+    let least_determinant = sums.least + ROUNDED;
+    !sums.ratio.is_nan()
+        && !is_enough(before, &Evaluation { energies: Energies::default(), least_determinant }, length, slope)
 }
 
 impl Chosen {
@@ -235,5 +311,17 @@ impl<const D: usize> Assembler<D> for GpuAssembler<D> {
         operator: &mut StencilOperator<D>,
     ) -> Evaluation {
         self.evaluate::<HESSIAN>(displacement, gradient, Some(operator)).await
+    }
+
+    async fn attempt(&mut self, start: Option<&[f64]>, ask: &Ask) -> Option<Attempt> {
+        self.try_step(start, ask).await
+    }
+
+    async fn fetch(&mut self, displacement: &mut [f64]) -> Option<()> {
+        let resident = self.there.as_mut()?.resident.as_mut()?.as_mut()?;
+        if self.gpu.trouble().is_some() || !resident.is_there {
+            return None;
+        }
+        resident.fetch(&self.gpu, None, displacement).await
     }
 }

@@ -20,13 +20,19 @@ const SHARED: [&str; 14] = [
 
 const PLANE: &str = include_str!("../../shaders/plane.wgsl");
 const SPACE: &str = include_str!("../../shaders/space.wgsl");
-const ASSEMBLE: &str = include_str!("../../shaders/assemble.wgsl");
-const HESSIAN: &str = include_str!("../../shaders/hessian.wgsl");
+/// What follows the energies: their sums, then what a minimiser does with them that stays on the card.
+const LAST: [&str; 5] = [
+    include_str!("../../shaders/assemble.wgsl"),
+    include_str!("../../shaders/hessian.wgsl"),
+    include_str!("../../shaders/multigrid.wgsl"),
+    include_str!("../../shaders/gradients.wgsl"),
+    include_str!("../../shaders/resident.wgsl"),
+];
 
 /// The whole module for D dimensions.
 pub(super) fn source<const D: usize>() -> String {
     let dimension = if D == 2 { PLANE } else { SPACE };
-    [&[dimension], SHARED.as_slice(), &[ASSEMBLE, HESSIAN]].concat().join("\n")
+    [&[dimension], SHARED.as_slice(), LAST.as_slice()].concat().join("\n")
 }
 
 #[cfg(test)]
@@ -49,6 +55,30 @@ mod tests {
             "volume_pairs",
             "shell_pairs",
             "gather_blocks",
+            "sweep",
+            "leave_residual",
+            "restrict_residual",
+            "prolongate",
+            "small_cycle",
+            "coarsen",
+            "invert_diagonal",
+            "begin",
+            "begun",
+            "overlap",
+            "choose_turn",
+            "turn",
+            "apply",
+            "choose_step",
+            "advance",
+            "judge",
+            "fall",
+            "fallen",
+            "place_nodes",
+            "move_nodes",
+            "gather_stencil",
+            "weigh",
+            "weighed",
+            "stiffen",
         ];
         assert_eq!(entries, expected);
     }

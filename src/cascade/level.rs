@@ -2,7 +2,11 @@ use super::Ties;
 use crate::assemble::{AnyAssembler, Assembler, CpuAssembler, Device, Evaluation};
 use crate::distance::SignedDistance;
 use crate::grid::Grid;
-use crate::minimize::{Minimizer, Ncg, Newton, Progress};
+#[cfg(not(feature = "gpu"))]
+use crate::minimize::Newton;
+#[cfg(feature = "gpu")]
+use crate::minimize::Resident as Newton;
+use crate::minimize::{Minimizer, Ncg, Progress};
 use crate::settings::{MinimizerKind, Settings};
 use std::rc::Rc;
 
@@ -69,6 +73,15 @@ impl<const D: usize> Level<D> {
 
     pub async fn step(&mut self) -> Progress {
         self.minimizer.step(&mut self.assembler).await
+    }
+
+    /// Brings the displacement up to date. None if that is lost: then the next step goes on from what was known last.
+    #[cfg(feature = "gpu")]
+    pub async fn fetch(&mut self) -> Option<()> {
+        match &mut self.minimizer {
+            AnyMinimizer::Newton(minimizer) => minimizer.fetch(&mut self.assembler).await,
+            AnyMinimizer::Ncg(_) => Some(()),
+        }
     }
 
     /// The energy at the present displacement.

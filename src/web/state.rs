@@ -113,6 +113,8 @@ impl<const D: usize, V: Shown<D>, J: Judge<D>> State<D, V, J> {
             }
             self.search.step().await;
         }
+        #[cfg(feature = "gpu")]
+        self.search.fetch().await;
         Ok(self.status())
     }
 

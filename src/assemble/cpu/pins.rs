@@ -37,6 +37,11 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         }));
     }
 
+    #[cfg(feature = "gpu")]
+    pub(in crate::assemble) fn has_pins(&self) -> bool {
+        !self.pins.is_empty()
+    }
+
     /// [`pins_pass`](Self::pins_pass), for an assembler that computes all else.
     #[cfg(feature = "gpu")]
     pub(in crate::assemble) fn add_pins<const ORDER: u8>(

@@ -31,6 +31,17 @@ pub struct Counts {
     pub dispatches: usize,
 }
 
+impl Counts {
+    /// What has come since.
+    pub fn since(self, before: Self) -> Self {
+        Self {
+            readbacks: self.readbacks - before.readbacks,
+            bytes_read: self.bytes_read - before.bytes_read,
+            dispatches: self.dispatches - before.dispatches,
+        }
+    }
+}
+
 thread_local! {
     /// The card of this thread, and the kernels compiled for it: registrations share them. Not given back when the thread
     /// ends, for what that takes of the thread may have ended before.

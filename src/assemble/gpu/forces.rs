@@ -10,7 +10,7 @@ use bytemuck::cast_slice;
 use wgpu::BufferUsages;
 
 /// Numbers of a row of sums: four energies, two bounds, and what aligns it.
-const ROW: usize = 8;
+pub(super) const ROW: usize = 8;
 /// Rows that are read back: 2 kB.
 const MOST_RESULTS: usize = 64;
 
@@ -25,16 +25,17 @@ pub(super) struct Sums {
 
 pub(super) struct Forces {
     slabs: Vec<ForcesSlab>,
-    gradient: Buffer,
+    pub gradient: Buffer,
+    /// Sums over groups of cells.
+    pub rows: Buffer,
     results: Buffer,
     staging: Buffer,
     reduce: wgpu::BindGroup,
-    groups: usize,
+    pub groups: usize,
     /// An answer was asked for and perhaps not waited for.
     is_reading: bool,
     // Bound, and kept for that.
     _forces: Buffer,
-    _rows: Buffer,
 }
 
 struct ForcesSlab {
@@ -84,7 +85,7 @@ impl Forces {
             })
             .collect();
         let reduce = kernels.reduce.bind(&gpu.device, |number| output(number));
-        Self { slabs, reduce, gradient, results, staging, groups, is_reading: false, _forces: forces, _rows: rows }
+        Self { slabs, reduce, gradient, rows, results, staging, groups, is_reading: false, _forces: forces }
     }
 
     /// At the displacement that was uploaded last; overwrites the gradient unless it is empty. None if the device fails.
@@ -93,19 +94,12 @@ impl Forces {
             self.staging.unmap();
         }
         let with_gradient = !gradient.is_empty();
-        let order = usize::from(with_gradient);
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         if with_gradient {
             encoder.clear_buffer(&self.gradient, 0, None);
         }
         let mut pass = encoder.begin_compute_pass(&Default::default());
-        for ForcesSlab { slab, volume, shell, gather } in &self.slabs {
-            kernels.volume[order].dispatch(gpu, &mut pass, &volume[order], slab.cells.len());
-            kernels.shell[order].dispatch(gpu, &mut pass, &shell[order], slab.band);
-            if with_gradient {
-                kernels.gather_gradient.dispatch(gpu, &mut pass, gather, slab.nodes.len());
-            }
-        }
+        self.encode(gpu, kernels, &mut pass, with_gradient);
         kernels.reduce.dispatch(gpu, &mut pass, &self.reduce, self.groups * GROUP);
         drop(pass);
         let result_bytes = self.results.size();
@@ -127,10 +121,22 @@ impl Forces {
         self.is_reading = false;
         Some(sums)
     }
+
+    /// The rows of sums, and the gradient into one that is zero.
+    pub fn encode(&self, gpu: &Gpu, kernels: &Kernels, pass: &mut wgpu::ComputePass<'_>, with_gradient: bool) {
+        let order = usize::from(with_gradient);
+        for ForcesSlab { slab, volume, shell, gather } in &self.slabs {
+            kernels.volume[order].dispatch(gpu, pass, &volume[order], slab.cells.len());
+            kernels.shell[order].dispatch(gpu, pass, &shell[order], slab.band);
+            if with_gradient {
+                kernels.gather_gradient.dispatch(gpu, pass, gather, slab.nodes.len());
+            }
+        }
+    }
 }
 
 /// The last stage, in f64.
-fn sum_of_rows(rows: &[f32]) -> Sums {
+pub(super) fn sum_of_rows(rows: &[f32]) -> Sums {
     let mut sums = Sums { energies: [0.0; 4], least: f64::INFINITY, ratio: f64::INFINITY };
     let mut is_broken = false;
     for row in rows.chunks_exact(ROW) {

@@ -8,25 +8,21 @@ use super::slab::{BandRows, Slab};
 use crate::assemble::CpuAssembler;
 use crate::stencil::StencilOperator;
 use bytemuck::cast_slice;
-use wgpu::BufferUsages;
+use wgpu::{BindGroup, BufferUsages, ComputePass};
 
-pub(super) struct Hessian {
-    slabs: Vec<HessianSlab>,
-    blocks: Buffer,
-    staging: Buffer,
-    is_reading: bool,
-    // Bound, and kept for that.
-    _pairs: Buffer,
+/// What the corners of each cell have with each other, of which the hessian is gathered.
+pub(super) struct Pairs {
+    slabs: Vec<PairsSlab>,
+    pub pairs: Buffer,
 }
 
-struct HessianSlab {
+struct PairsSlab {
     slab: Slab,
-    volume: wgpu::BindGroup,
-    shell: wgpu::BindGroup,
-    gather: wgpu::BindGroup,
+    volume: BindGroup,
+    shell: BindGroup,
 }
 
-impl Hessian {
+impl Pairs {
     pub fn new<const D: usize>(
         gpu: &Gpu,
         kernels: &Kernels,
@@ -37,25 +33,56 @@ impl Hessian {
         let corners = 1 << D;
         let cell_bytes = corners * (corners + 1) / 2 * D * D * 4;
         let slabs = band.slabs(gpu, twin, cell_bytes, GROUP);
-        let most = |count: fn(&Slab) -> usize| slabs.iter().map(count).max().unwrap_or(0);
-        let pairs = Buffer::empty(gpu, BufferUsages::STORAGE, most(|slab| slab.cells.len()) * cell_bytes);
-        let block_bytes = most(|slab| slab.nodes.len()) * StencilOperator::<D>::ROW * 4;
-        let blocks = Buffer::empty(gpu, BufferUsages::STORAGE | BufferUsages::COPY_SRC, block_bytes);
-        let staging = Buffer::empty(gpu, BufferUsages::MAP_READ | BufferUsages::COPY_DST, block_bytes);
+        let most_cells = slabs.iter().map(|slab| slab.cells.len()).max().unwrap_or(0);
+        let pairs = Buffer::empty(gpu, BufferUsages::STORAGE, most_cells * cell_bytes);
         let slabs = slabs
             .into_iter()
             .map(|slab| {
-                let output = |number| if number == binding::PAIRS { &*pairs } else { &*blocks };
-                let buffer = |number| level.input(&slab, number).unwrap_or_else(|| output(number));
-                HessianSlab {
+                let buffer = |number| level.input(&slab, number).unwrap_or(&pairs);
+                PairsSlab {
                     volume: kernels.volume_pairs.bind(&gpu.device, buffer),
                     shell: kernels.shell_pairs.bind(&gpu.device, buffer),
-                    gather: kernels.gather_blocks.bind(&gpu.device, buffer),
                     slab,
                 }
             })
             .collect();
-        Self { slabs, blocks, staging, is_reading: false, _pairs: pairs }
+        Self { slabs, pairs }
+    }
+
+    pub fn slabs(&self) -> impl Iterator<Item = &Slab> {
+        self.slabs.iter().map(|PairsSlab { slab, .. }| slab)
+    }
+
+    /// Those of the cells of a slab, at the displacement that is uploaded. Returns how many nodes they have.
+    pub fn encode(&self, gpu: &Gpu, kernels: &Kernels, pass: &mut ComputePass<'_>, number: usize) -> usize {
+        let PairsSlab { slab, volume, shell } = &self.slabs[number];
+        kernels.volume_pairs.dispatch(gpu, pass, volume, slab.cells.len());
+        kernels.shell_pairs.dispatch(gpu, pass, shell, slab.band);
+        slab.nodes.len()
+    }
+}
+
+pub(super) struct Hessian {
+    pairs: Pairs,
+    /// By slab.
+    gather: Vec<BindGroup>,
+    blocks: Buffer,
+    staging: Buffer,
+    is_reading: bool,
+}
+
+impl Hessian {
+    pub fn new<const D: usize>(gpu: &Gpu, kernels: &Kernels, level: &Level, pairs: Pairs) -> Self {
+        let most_nodes = pairs.slabs().map(|slab| slab.nodes.len()).max().unwrap_or(0);
+        let block_bytes = most_nodes * StencilOperator::<D>::ROW * 4;
+        let blocks = Buffer::empty(gpu, BufferUsages::STORAGE | BufferUsages::COPY_SRC, block_bytes);
+        let staging = Buffer::empty(gpu, BufferUsages::MAP_READ | BufferUsages::COPY_DST, block_bytes);
+        let gather = |slab: &Slab| {
+            let output = |number| if number == binding::PAIRS { &*pairs.pairs } else { &*blocks };
+            let buffer = |number| level.input(slab, number).unwrap_or_else(|| output(number));
+            kernels.gather_blocks.bind(&gpu.device, buffer)
+        };
+        Self { gather: pairs.slabs().map(gather).collect(), pairs, blocks, staging, is_reading: false }
     }
 
     /// Overwrites the operator with the hessian at the displacement that was uploaded last. None if the device fails.
@@ -66,16 +93,15 @@ impl Hessian {
         operator: &mut StencilOperator<D>,
     ) -> Option<()> {
         operator.clear();
-        for HessianSlab { slab, volume, shell, gather } in &self.slabs {
+        for (number, (slab, gather)) in self.pairs.slabs().zip(&self.gather).enumerate() {
             if std::mem::replace(&mut self.is_reading, true) {
                 self.staging.unmap();
             }
             let bytes = (slab.nodes.len() * StencilOperator::<D>::ROW * 4) as u64;
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             let mut pass = encoder.begin_compute_pass(&Default::default());
-            kernels.volume_pairs.dispatch(gpu, &mut pass, volume, slab.cells.len());
-            kernels.shell_pairs.dispatch(gpu, &mut pass, shell, slab.band);
-            kernels.gather_blocks.dispatch(gpu, &mut pass, gather, slab.nodes.len() * StencilOperator::<D>::HALF);
+            let nodes = self.pairs.encode(gpu, kernels, &mut pass, number);
+            kernels.gather_blocks.dispatch(gpu, &mut pass, gather, nodes * StencilOperator::<D>::HALF);
             drop(pass);
             encoder.copy_buffer_to_buffer(&self.blocks, 0, &self.staging, 0, bytes);
             gpu.queue.submit([encoder.finish()]);

@@ -1,6 +1,7 @@
 use super::device::Gpu;
 use crate::assemble::shaders::source;
 use crate::energy::{GRADIENT, HESSIAN, VALUE};
+use std::cell::OnceCell;
 
 /// Invocations of a workgroup.
 pub(super) const GROUP: usize = 64;
@@ -20,6 +21,21 @@ pub(super) mod binding {
     pub const RESULTS: u32 = 10;
     pub const PAIRS: u32 = 11;
     pub const BLOCKS: u32 = 12;
+    // As in `shaders/multigrid.wgsl`, `gradients.wgsl` and `resident.wgsl`.
+    pub const PLACE: u32 = 13;
+    pub const NEAR: u32 = 14;
+    pub const FAR: u32 = 15;
+    pub const INVERSE: u32 = 16;
+    pub const RIGHT: u32 = 17;
+    pub const SOLUTION: u32 = 18;
+    pub const RESIDUAL: u32 = 19;
+    pub const SCALARS: u32 = 20;
+    pub const SEARCH: u32 = 21;
+    pub const DIRECTION: u32 = 22;
+    pub const PARTIALS: u32 = 23;
+    pub const COORDINATES: u32 = 24;
+    pub const TRIAL: u32 = 25;
+    pub const PLACED: u32 = 26;
 }
 use binding as b;
 
@@ -30,8 +46,10 @@ pub(super) struct Kernel {
     bindings: &'static [u32],
 }
 
-/// All entry points; those of cells by order of differentiation, the value or the gradient.
+/// The entry points that assemble; those of cells by order of differentiation, the value or the gradient.
 pub(super) struct Kernels {
+    module: wgpu::ShaderModule,
+    solver: OnceCell<Solver>,
     pub volume: [Kernel; 2],
     pub shell: [Kernel; 2],
     pub gather_gradient: Kernel,
@@ -56,6 +74,7 @@ impl Kernels {
             kernel("shell_cells", order, arrays)
         };
         Self {
+            solver: OnceCell::new(),
             volume: [VALUE, GRADIENT].map(volume),
             shell: [VALUE, GRADIENT].map(shell),
             gather_gradient: kernel("gather_gradient", GRADIENT, &[b::LEVEL, b::SLAB, b::FORCES, b::GRADIENT]),
@@ -67,6 +86,81 @@ impl Kernels {
                 &[b::LEVEL, b::SLAB, b::NODES, b::TEMPLATE, b::BAND, b::SAMPLES, b::PAIRS],
             ),
             gather_blocks: kernel("gather_blocks", HESSIAN, &[b::LEVEL, b::SLAB, b::PAIRS, b::BLOCKS]),
+            module,
+        }
+    }
+
+    /// Those of a step of Newton's method, compiled when the first is to be made.
+    pub fn solver(&self, gpu: &Gpu) -> &Solver {
+        self.solver.get_or_init(|| Solver::new(&gpu.device, &self.module))
+    }
+}
+
+/// The entry points that solve for a direction and follow it.
+pub(super) struct Solver {
+    pub sweep: Kernel,
+    pub leave_residual: Kernel,
+    pub restrict: Kernel,
+    pub prolongate: Kernel,
+    pub small_cycle: Kernel,
+    pub coarsen: Kernel,
+    pub invert_diagonal: Kernel,
+    pub begin: Kernel,
+    pub begun: Kernel,
+    pub overlap: Kernel,
+    pub choose_turn: Kernel,
+    pub turn: Kernel,
+    pub apply: Kernel,
+    pub choose_step: Kernel,
+    pub advance: Kernel,
+    pub judge: Kernel,
+    pub fall: Kernel,
+    pub fallen: Kernel,
+    pub place_nodes: Kernel,
+    pub move_nodes: Kernel,
+    pub gather_stencil: Kernel,
+    pub weigh: Kernel,
+    pub weighed: Kernel,
+    pub stiffen: Kernel,
+}
+
+/// What ends a sum: the parts, and where it goes.
+const SUM: &[u32] = &[b::PLACE, b::PARTIALS, b::SCALARS];
+
+impl Solver {
+    fn new(device: &wgpu::Device, module: &wgpu::ShaderModule) -> Self {
+        let kernel = |entry, bindings| Kernel::new(device, module, entry, VALUE, bindings);
+        let relaxed = &[b::PLACE, b::NEAR, b::FAR, b::INVERSE, b::RIGHT, b::SOLUTION, b::SCALARS];
+        let rest = &[b::PLACE, b::NEAR, b::FAR, b::RIGHT, b::SOLUTION, b::RESIDUAL, b::SCALARS];
+        let cycle = &[b::PLACE, b::NEAR, b::FAR, b::INVERSE, b::RIGHT, b::SOLUTION, b::RESIDUAL];
+        let image = &[b::PLACE, b::NEAR, b::FAR, b::SOLUTION, b::RESIDUAL, b::SCALARS, b::PARTIALS];
+        let step = &[b::PLACE, b::DIRECTION, b::SEARCH, b::RIGHT, b::RESIDUAL, b::SCALARS, b::PARTIALS];
+        let start = &[b::PLACE, b::GRADIENT, b::RIGHT, b::DIRECTION, b::SOLUTION, b::PARTIALS];
+        Self {
+            sweep: kernel("sweep", relaxed),
+            leave_residual: kernel("leave_residual", rest),
+            restrict: kernel("restrict_residual", &[b::PLACE, b::RIGHT, b::SOLUTION, b::RESIDUAL, b::SCALARS]),
+            prolongate: kernel("prolongate", &[b::PLACE, b::SOLUTION, b::SCALARS]),
+            small_cycle: kernel("small_cycle", cycle),
+            coarsen: kernel("coarsen", &[b::PLACE, b::NEAR, b::FAR]),
+            invert_diagonal: kernel("invert_diagonal", &[b::PLACE, b::NEAR, b::FAR, b::INVERSE]),
+            begin: kernel("begin", start),
+            begun: kernel("begun", SUM),
+            overlap: kernel("overlap", &[b::PLACE, b::RIGHT, b::SOLUTION, b::PARTIALS]),
+            choose_turn: kernel("choose_turn", SUM),
+            turn: kernel("turn", &[b::PLACE, b::SOLUTION, b::SEARCH, b::SCALARS]),
+            apply: kernel("apply", image),
+            choose_step: kernel("choose_step", SUM),
+            advance: kernel("advance", step),
+            judge: kernel("judge", SUM),
+            fall: kernel("fall", &[b::PLACE, b::GRADIENT, b::DIRECTION, b::PARTIALS]),
+            fallen: kernel("fallen", SUM),
+            place_nodes: kernel("place_nodes", &[b::LEVEL, b::DIRECTION, b::COORDINATES, b::TRIAL, b::PLACED]),
+            move_nodes: kernel("move_nodes", &[b::LEVEL, b::DIRECTION, b::COORDINATES, b::TRIAL]),
+            gather_stencil: kernel("gather_stencil", &[b::LEVEL, b::SLAB, b::PAIRS, b::PLACE, b::NEAR, b::FAR]),
+            weigh: kernel("weigh", &[b::PLACE, b::NEAR, b::FAR, b::PARTIALS]),
+            weighed: kernel("weighed", SUM),
+            stiffen: kernel("stiffen", &[b::PLACE, b::NEAR, b::FAR, b::SCALARS]),
         }
     }
 }
@@ -124,7 +218,7 @@ impl Kernel {
 
 fn layout_of(binding: u32) -> wgpu::BindGroupLayoutEntry {
     let ty = match binding {
-        b::LEVEL | b::SLAB => wgpu::BufferBindingType::Uniform,
+        b::LEVEL | b::SLAB | b::PLACE | b::TRIAL => wgpu::BufferBindingType::Uniform,
         b::NODES..=b::SAMPLES => wgpu::BufferBindingType::Storage { read_only: true },
         _ => wgpu::BufferBindingType::Storage { read_only: false },
     };

@@ -11,7 +11,7 @@ use wgpu::BufferUsages;
 
 /// What all kernels read.
 pub(super) struct Level {
-    functional: Buffer,
+    pub functional: Buffer,
     pub nodes: Buffer,
     volume_weights: Buffer,
     template: Buffer,

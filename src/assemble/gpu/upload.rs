@@ -1,7 +1,7 @@
 use crate::grid::Grid;
 
 /// Displacements and differences beyond this, in cells, are none that f32 can square and cube: the twin's affair.
-const LARGEST: f64 = 1e6;
+pub(super) const LARGEST: f64 = 1e6;
 
 /// Displacements as the shaders take them: by node u in cells, then its differences to the next node along each axis.
 pub(super) struct Upload<const D: usize> {

@@ -146,36 +146,29 @@ impl<const D: usize> Cascade<D> {
         self.settings.finest - self.level.number
     }
 
-    /// Takes the deformation to the finest level as it is, and ends there.
-    pub(crate) async fn end(&mut self) {
-        while self.level.number < self.settings.finest {
-            self.refine().await;
-        }
-        self.progress.stop = Some(Stop::Refined);
-    }
-
-    /// Begins the next level with the deformation of this one.
-    async fn refine(&mut self) {
-        let displacement = prolongate(self.grid(), self.level.displacement());
-        self.past_evaluations += self.progress.evaluations;
-        let number = self.level.number + 1;
-        self.level = Level::new(number, &self.settings, &self.device, &self.shapes, &self.ties, Some(displacement));
-        self.level.unfold(&self.settings).await;
-        self.progress = Progress { iterations: 0, evaluations: 0, stop: None, ..self.progress };
+    /// Makes no more iterations: the deformation goes to the finest level as it is.
+    pub(crate) fn end(&mut self) {
+        self.limit = 0;
     }
 
     /// One iteration, on the next level if this one has ended; nothing once the finest has.
     pub async fn step(&mut self) -> CascadeProgress {
         if self.is_about_to_refine() {
-            self.refine().await;
+            let displacement = prolongate(self.grid(), self.level.displacement());
+            self.past_evaluations += self.progress.evaluations;
+            let number = self.level.number + 1;
+            self.level = Level::new(number, &self.settings, &self.device, &self.shapes, &self.ties, Some(displacement));
+            self.level.unfold(&self.settings).await;
+            self.progress = Progress { iterations: 0, evaluations: 0, stop: None, ..self.progress };
         }
-        let is_finest = self.level.number == self.settings.finest;
-        if self.progress.stop.is_none() {
+        let has_ended = self.limit == 0;
+        if self.progress.stop.is_none() && !has_ended {
             self.progress = self.level.step().await;
         }
-        if is_finest && self.progress.iterations >= self.limit {
+        let is_finest = self.level.number == self.settings.finest;
+        if has_ended || is_finest && self.progress.iterations >= self.limit {
             #[cfg(feature = "gpu")]
-            if self.level.fetch().await.is_none() {
+            if !has_ended && self.level.fetch().await.is_none() {
                 // What was done is lost, and as much is to be done again.
                 self.limit += self.limit;
                 return self.progress();

@@ -166,7 +166,7 @@ impl<const D: usize> Search<D> {
                 self.fetch().await;
             }
             if self.is_hopeless() || self.is_sharp() {
-                self.run.end().await;
+                self.run.end();
             }
             if let Some(stop) = self.run.step().await.stop {
                 self.conclude(stop).await;

@@ -114,6 +114,36 @@ fn a_device_lost_between_iterations_leaves_a_match_to_the_processor() {
     assert_eq!(assembler.backend(), "cpu: the graphics device was given up");
 }
 
+/// A match with a card of which something fails is the processor's, to the bit, and says why.
+fn is_left_to_the_processor(limits: wgpu::Limits, why: &str) {
+    let gpu = ready(Gpu::open_within(limits)).expect("a card with lower limits");
+    let shapes = stars(5);
+    let (mut truth, mut assembler) = (processor(&shapes), GpuAssembler::new(gpu, processor(&shapes)));
+    let grid = truth.grid();
+    let mut expected = Newton::new(grid, vec![0.0; grid.node_count() * 2], TOLERANCE);
+    let mut found = resident(grid);
+    assert_eq!(end(&mut found, &mut assembler).stop, end(&mut expected, &mut truth).stop);
+    assert_eq!(found.displacement(), expected.displacement());
+    let backend = assembler.backend();
+    assert!(backend.starts_with("cpu: the graphics device failed") && backend.contains(why), "{backend}");
+}
+
+#[test]
+fn a_card_that_refuses_memory_leaves_a_match_to_the_processor() {
+    if card().is_some() {
+        let least = wgpu::Limits { max_buffer_size: 4096, ..wgpu::Limits::default() };
+        is_left_to_the_processor(least, "4096");
+    }
+}
+
+#[test]
+fn a_card_that_makes_no_kernel_leaves_a_match_to_the_processor() {
+    if card().is_some() {
+        let least = wgpu::Limits { max_compute_invocations_per_workgroup: 32, ..wgpu::Limits::default() };
+        is_left_to_the_processor(least, "32");
+    }
+}
+
 /// The first steps of a minimiser from `start`, by both: the processor's to the bit where it made them.
 fn steps_alike(gpu: &Rc<Gpu>, shapes: &[SignedDistance<2>; 2], start: &[f64], pins: &[Pin<2>]) {
     let [mut truth, mut twin] = [(), ()].map(|()| processor(shapes));

@@ -71,9 +71,17 @@ impl Gpu {
         Ok(gpu)
     }
 
+    /// With the limits that every device has, which are enough: what is large is written in slabs.
+    ///
     /// # Errors
     /// A sentence, if there is no card or it refuses.
     pub async fn open() -> Result<Rc<Self>, String> {
+        Self::open_within(wgpu::Limits::default()).await
+    }
+
+    /// # Errors
+    /// A sentence, if there is no card with these limits or it refuses.
+    pub async fn open_within(required_limits: wgpu::Limits) -> Result<Rc<Self>, String> {
         #[cfg(target_arch = "wasm32")]
         let told = super::browser::ask().await?;
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
@@ -92,8 +100,7 @@ impl Gpu {
         };
         #[cfg(target_arch = "wasm32")]
         let (name, is_software) = (told.name, told.is_software);
-        // The limits that every device has are enough: what is large is written in slabs.
-        let descriptor = wgpu::DeviceDescriptor { required_limits: wgpu::Limits::default(), ..Default::default() };
+        let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
         let (device, queue) = adapter
             .request_device(&descriptor)
             .await

@@ -5,12 +5,14 @@
 //   { error: string }                                                  where it could not be.
 //
 // The table is for people; the line after it is the same as JSON. `npm run bench -- --json` prints only that.
+//
+// `npm run bench -- gpu` prints what a Newton iteration asks of a graphics card, which is the same on all of them.
 
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { chromiumFlags, ensureChromium } from "./lib/chromium.mjs";
-import { main, Obstacle, root } from "./lib/process.mjs";
-import { checkNode, ensurePackages } from "./lib/setup.mjs";
+import { main, Obstacle, root, run } from "./lib/process.mjs";
+import { checkNode, ensurePackages, ensureRust } from "./lib/setup.mjs";
 import { buildBenchWasm } from "./wasm.mjs";
 
 const PAGE = "benches/page/index.html";
@@ -18,6 +20,12 @@ const PATIENCE_MINUTES = 15;
 
 await main(async () => {
   checkNode();
+  if (process.argv.includes("gpu")) {
+    await ensureRust();
+    const { code } = await run("cargo", ["bench", "--locked", "--quiet", "--profile", "dev", "--features", "gpu", "--bench", "card"]);
+    process.exitCode = code;
+    return;
+  }
   await ensurePackages();
   if (!existsSync(join(root, PAGE))) throw new Obstacle(`There is no ${PAGE}: restore it from the repository.`);
   await buildBenchWasm();

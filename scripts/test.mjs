@@ -18,7 +18,7 @@ const WASM = ["--target", "wasm32-unknown-unknown"];
 const SURFACES = ["--features", "surfaces"];
 // With what computes on a graphics card; all else is the same code.
 const GPU = ["--features", "gpu"];
-const GPU_TESTS = ["--test", "gpu*"];
+const GPU_TARGETS = ["--test", "gpu*", "--bench", "card"];
 const FUZZ_CASES = 2000;
 // In a glob, so that a second file of browser tests needs no word here.
 const BROWSER_TESTS = ["--test", "wasm*"];
@@ -31,7 +31,7 @@ const STEPS = {
       all(
         () => succeeds("cargo", ["fmt", "--check"]),
         () => succeeds("cargo", ["clippy", "--locked", "--all-targets", "--", "-D", "warnings"]),
-        () => succeeds("cargo", ["clippy", "--locked", ...GPU, "--lib", ...GPU_TESTS, "--", "-D", "warnings"]),
+        () => succeeds("cargo", ["clippy", "--locked", ...GPU, "--lib", ...GPU_TARGETS, "--", "-D", "warnings"]),
         () =>
           succeeds("cargo", ["clippy", "--locked", ...WASM, ...GPU, "--lib", ...BROWSER_TESTS, "--", "-D", "warnings"]),
         () => succeeds("cargo", ["clippy", "--locked", ...WASM, "--lib", ...SURFACES, "--", "-D", "warnings"]),

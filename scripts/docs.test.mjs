@@ -15,7 +15,21 @@ const DOCUMENTS = [
     .map((name) => `docs/${name}`),
 ];
 
-/** npm takes its time to start. */
+/** What is packed, by who packs it. Only what is packed anyway is looked for, so nothing has to be built. */
+const PACKAGES = {
+  npm: () => {
+    const said = execute("npm", ["pack", "--dry-run", "--json", "--ignore-scripts"]);
+    return JSON.parse(said)[0].files.map((/** @type {{ path: string }} */ { path }) => path);
+  },
+  cargo: () => execute("cargo", ["package", "--list", "--allow-dirty"]).trim().split(/\r?\n/),
+};
+
+/** @param {string} command @param {string[]} args */
+function execute(command, args) {
+  return execFileSync(command, args, { cwd: root, encoding: "utf8", shell: process.platform === "win32" });
+}
+
+/** They take their time to start. */
 const PATIENCE_MILLIS = 60_000;
 
 /** Folders whose files are named in the prose as they lie in the repository. */
@@ -51,19 +65,17 @@ test.each(DOCUMENTS)("%s: every link within the repository leads somewhere", (na
   expect(lost).toEqual([]);
 });
 
-test(
-  "what the package's documents point to is in the package",
-  () => {
-    // Only what is packed anyway is looked for, so nothing has to be built.
-    const pack = ["pack", "--dry-run", "--json", "--ignore-scripts"];
-    const said = execFileSync("npm", pack, { cwd: root, encoding: "utf8", shell: process.platform === "win32" });
-    const packed = JSON.parse(said)[0].files.map((/** @type {{ path: string }} */ { path }) => path);
+test.each(Object.entries(PACKAGES))(
+  "what the documents that %s packs point to is packed too",
+  (_, list) => {
+    /** @type {string[]} */
+    const packed = list().map((/** @type {string} */ path) => path.replaceAll("\\", "/"));
     const documents = DOCUMENTS.filter((name) => packed.includes(name));
     expect(documents).toContain("README.md");
     const lost = documents.flatMap((name) =>
       linksIn(name)
         .map((link) => posix.join(posix.dirname(name), link.split("#")[0] || posix.basename(name)))
-        .filter((path) => !packed.some((/** @type {string} */ file) => file === path || file.startsWith(`${path}/`)))
+        .filter((path) => !packed.some((file) => file === path || file.startsWith(`${path}/`)))
         .map((path) => `${name}: ${path}`),
     );
     expect(lost).toEqual([]);

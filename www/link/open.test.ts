@@ -23,7 +23,9 @@ describe("the page starts", () => {
 
   test("a link that cannot be read is reported and takes nothing away", () => {
     const { saved, problem } = opened("#v=2&preset=dragon");
-    expect(problem).toMatch(/^The link could not be read: there is no example called “dragon”\. Your last shapes/);
+    expect(problem).toMatch(
+      /^The link could not be read: there is no example called “dragon”\. What would be here without it/,
+    );
     expect(saved.preset).toBe("ring");
   });
 

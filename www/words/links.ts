@@ -12,7 +12,7 @@ export function brief(text: string): string {
 
 export const links = page("links", {
   unread: (why: string) =>
-    `The link could not be read: ${why}. Your last shapes are shown instead; ask for a fresh link to see the others.`,
+    `The link could not be read: ${why}. What would be here without it is shown instead; ask for a fresh link to see the others.`,
   kept: (why: string) => `The link could not be read: ${why}. Everything is left as it was.`,
   override: (why: string) => `The address asks for what cannot be: ${why}. The rest of it is shown.`,
   foreign: "it is no link of this page",

@@ -11,7 +11,7 @@ const NAMES: Readonly<Record<Side, string>> = { reference: "Referenz", template:
 
 export const links: Book["links"] = {
   unread: (why) =>
-    `Der Link konnte nicht gelesen werden: ${why}. Stattdessen sehen Sie Ihre letzten Formen; bitten Sie um einen neuen Link, um die anderen zu sehen.`,
+    `Der Link konnte nicht gelesen werden: ${why}. Stattdessen sehen Sie, was ohne ihn hier wäre; bitten Sie um einen neuen Link, um die anderen zu sehen.`,
   kept: (why) => `Der Link konnte nicht gelesen werden: ${why}. Alles bleibt, wie es war.`,
   override: (why) => `Die Adresse verlangt etwas Unmögliches: ${why}. Alles Übrige ist zu sehen.`,
   foreign: "er ist kein Link dieser Seite",

@@ -22,7 +22,17 @@ await main(async () => {
   checkNode();
   if (process.argv.includes("gpu")) {
     await ensureRust();
-    const { code } = await run("cargo", ["bench", "--locked", "--quiet", "--profile", "dev", "--features", "gpu", "--bench", "card"]);
+    const { code } = await run("cargo", [
+      "bench",
+      "--locked",
+      "--quiet",
+      "--profile",
+      "dev",
+      "--features",
+      "gpu",
+      "--bench",
+      "card",
+    ]);
     process.exitCode = code;
     return;
   }

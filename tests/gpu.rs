@@ -7,7 +7,7 @@ mod common;
 mod solids;
 
 use card::card;
-use common::{Random, star};
+use common::{Random, apply, star};
 use glam::DQuat;
 use solids::{octahedron, solid};
 use std::rc::Rc;
@@ -163,18 +163,6 @@ fn energies_and_gradients_of_surfaces_are_the_processors() {
     agree::<3>(&gpu, 4, 3);
 }
 
-fn applied<const D: usize>(operator: &StencilOperator<D>, d: &[f64]) -> Vec<f64> {
-    let mut result = vec![0.0; d.len()];
-    operator.for_each_block(|node, other, block| {
-        for i in 0..D {
-            for j in 0..D {
-                result[node * D + i] += f64::from(block[i][j]) * d[other * D + j];
-            }
-        }
-    });
-    result
-}
-
 fn hessians_agree<const D: usize>(gpu: &Rc<Gpu>, level: u32, gauss_points: usize, terms: &[(&str, Change)]) {
     let mut random = Random(u64::from(level) + 13 * D as u64);
     let grid = Grid::<D>::of_level(level);
@@ -186,7 +174,7 @@ fn hessians_agree<const D: usize>(gpu: &Rc<Gpu>, level: u32, gauss_points: usize
         let evaluate = |assembler: &mut dyn FnMut(&mut [f64], &mut StencilOperator<D>)| {
             let (mut gradient, mut operator) = (vec![0.0; u.len()], StencilOperator::zero(grid));
             assembler(&mut gradient, &mut operator);
-            (gradient, applied(&operator, &d))
+            (gradient, apply(&operator, &d))
         };
         let expected = evaluate(&mut |gradient, operator| {
             ready(truth.hessian(&u, gradient, operator));
@@ -400,7 +388,7 @@ fn chosen_after(gpu: &Rc<Gpu>, level: u32, millis: &[f64]) -> String {
     assert_same_energies(&ready(found.hessian(&u, &mut gradient, &mut computed)), &evaluation, "whoever computes");
     assert_near(&gradient, &expected, GRADIENT, "whoever computes");
     let d = vec![1.0; u.len()];
-    assert_near(&applied(&computed, &d), &applied(&operator, &d), HESSIAN, "whoever computes");
+    assert_near(&apply(&computed, &d), &apply(&operator, &d), HESSIAN, "whoever computes");
     found.backend()
 }
 

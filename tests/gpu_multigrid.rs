@@ -9,7 +9,8 @@ mod operators;
 mod solids;
 
 use card::card;
-use operators::{apply, curves, energy_norm, fill_sobolev, hessian, noise, surfaces};
+use common::apply;
+use operators::{curves, energy_norm, fill_sobolev, hessian, noise, surfaces};
 use std::rc::Rc;
 use thinshell::assemble::{Gpu, GpuMultigrid};
 use thinshell::grid::Grid;

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::Random;
+use common::{Random, apply};
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
 use thinshell::energy::{BendingModel, Functional, MembraneModel};
@@ -19,18 +19,6 @@ fn shape<const D: usize>(level: u32) -> SignedDistance<D> {
         stretched.sqrt() - 0.25
     };
     SignedDistance::from_nodal(grid, (0..grid.node_count()).map(|node| value(grid.position(node))).collect())
-}
-
-fn applied<const D: usize>(operator: &StencilOperator<D>, d: &[f64]) -> Vec<f64> {
-    let mut result = vec![0.0; d.len()];
-    operator.for_each_block(|node, other, block| {
-        for i in 0..D {
-            for j in 0..D {
-                result[node * D + i] += f64::from(block[i][j]) * d[other * D + j];
-            }
-        }
-    });
-    result
 }
 
 fn norm(a: &[f64]) -> f64 {
@@ -56,7 +44,7 @@ fn both<const D: usize>(
         gradient
     });
     let quotient = ahead.iter().zip(&behind).map(|(a, b)| (a - b) / (2.0 * step)).collect();
-    [applied(&operator, d), quotient]
+    [apply(&operator, d), quotient]
 }
 
 /// A shape against itself at the identity: no residual, nothing clipped, and Gauss points exact for all terms.

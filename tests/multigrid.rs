@@ -6,8 +6,8 @@ mod operators;
 #[path = "common/solids.rs"]
 mod solids;
 
-use common::leaf;
-use operators::{apply, curves, energy_norm, fill_sobolev, hessian, noise, surfaces};
+use common::{apply, leaf};
+use operators::{curves, energy_norm, fill_sobolev, hessian, noise, surfaces};
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
 use thinshell::grid::Grid;

@@ -8,6 +8,7 @@ use thinshell::grid::Grid;
 use thinshell::ready::ready;
 use thinshell::search::Search;
 use thinshell::settings::{Backend, Settings};
+use thinshell::stencil::StencilOperator;
 
 /// r(θ) around `centre`, turned by `angle`, at `count` points.
 pub fn polar(centre: [f64; 2], angle: f64, count: usize, radius: impl Fn(f64) -> f64) -> Vec<DVec2> {
@@ -125,4 +126,17 @@ pub fn assert_circle_to_ellipse(tolerance: f64) {
     for (a, b) in found.iter().zip(CIRCLE_TO_ELLIPSE) {
         assert!((a - b).abs() <= tolerance * end.total(), "{found:?} is not {CIRCLE_TO_ELLIPSE:?}");
     }
+}
+
+/// A x by the stencil, f64.
+pub fn apply<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> Vec<f64> {
+    let mut result = vec![0.0; x.len()];
+    operator.for_each_block(|node, other, block| {
+        for i in 0..D {
+            for j in 0..D {
+                result[node * D + i] += f64::from(block[i][j]) * x[other * D + j];
+            }
+        }
+    });
+    result
 }

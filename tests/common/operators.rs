@@ -1,6 +1,6 @@
 //! Operators to solve with, for tests.
 
-use crate::common::{Random, circle, ellipse};
+use crate::common::{Random, apply, circle, ellipse};
 use crate::solids::{ellipsoid, solid, sphere};
 use thinshell::assemble::{Assembler, CpuAssembler};
 use thinshell::distance::SignedDistance;
@@ -38,19 +38,6 @@ pub fn fill_sobolev<const D: usize>(operator: &mut StencilOperator<D>, beta: f64
             }
         }
     }
-}
-
-/// A x by the stencil, f64.
-pub fn apply<const D: usize>(operator: &StencilOperator<D>, x: &[f64]) -> Vec<f64> {
-    let mut result = vec![0.0; x.len()];
-    operator.for_each_block(|node, other, block| {
-        for i in 0..D {
-            for j in 0..D {
-                result[node * D + i] += f64::from(block[i][j]) * x[other * D + j];
-            }
-        }
-    });
-    result
 }
 
 pub fn noise(count: usize) -> Vec<f64> {

@@ -194,7 +194,7 @@ impl Registration {
         self.queue.now(|any| of_any!(any, state => state.map(&points)))
     }
 
-    /// φ⁻¹ at points of the image of the box; NaN outside of it.
+    /// φ⁻¹ at points of the image of the box; NaN outside of it. Where the image lies over itself, one of the preimages.
     #[wasm_bindgen(js_name = inverseMap)]
     pub fn inverse_map(
         &self,

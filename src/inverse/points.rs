@@ -65,7 +65,8 @@ impl<'a, const D: usize> Inverse<'a, D> {
         inverse
     }
 
-    /// The preimage of a point; none outside the image of the box.
+    /// A preimage of a point; none outside the image of the box. There is one, unless the image lies over itself: no cell
+    /// of a box that is much inflated need be folded for its margins to meet.
     pub fn at(&self, point: &[f64; D]) -> Option<[f64; D]> {
         let inside = |k: usize| {
             let place = (point[k] - self.low[k]) * self.per_length[k];
@@ -182,5 +183,33 @@ mod tests {
     fn the_inverse_undoes_the_deformation_everywhere_and_is_nowhere_else() {
         undoes::<2>();
         undoes::<3>();
+    }
+
+    #[test]
+    fn where_the_image_lies_over_itself_a_point_has_a_preimage_still() {
+        let grid = Grid::<2>::new(32);
+        // A strip bent round by more than a whole turn.
+        let turned = |[x, y]: [f64; 2]| {
+            let (sin, cos) = (7.5 * x).sin_cos();
+            [(1.0 + y) * cos, -(1.0 + y) * sin]
+        };
+        let displacement: Vec<f64> = (0..grid.node_count())
+            .flat_map(|node| {
+                let (x, y) = (grid.position(node), turned(grid.position(node)));
+                [y[0] - x[0], y[1] - x[1]]
+            })
+            .collect();
+        let inverse = Inverse::new(grid, &displacement);
+        let mut twice = 0;
+        for node in 0..grid.node_count() {
+            let (x, y) = (grid.position(node), turned(grid.position(node)));
+            let found = inverse.at(&y).expect("a point of the image");
+            let u = interpolate::<2, 2>(grid, &displacement, &found);
+            for k in 0..2 {
+                assert!((found[k] + u[k] - y[k]).abs() < 1e-9, "{found:?} is not sent to {y:?}");
+            }
+            twice += usize::from((found[0] - x[0]).abs() > 0.5);
+        }
+        assert!(twice > 0, "the image lies over itself");
     }
 }

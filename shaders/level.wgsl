@@ -37,10 +37,11 @@ struct Slab {
 }
 
 // Sums over some cells: membrane, bending, mismatch and volume; the least determinant, and the least in units of what
-// its factors could make, by which rounding is measured.
+// its factors could make, by which rounding is measured; in one row of the results, what the pins cost.
 struct Sums {
     energies: vec4f,
     least: vec2f,
+    pins: f32,
 }
 
 // Numbers a node: u in cells, then its differences to the next node along each axis.

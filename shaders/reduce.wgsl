@@ -16,7 +16,7 @@ fn sum_of_group(lane: u32, energies: vec4f, least: vec2f) -> Sums {
             least_of[lane] = min(least_of[lane], least_of[lane + reach]);
         }
     }
-    return Sums(energies_of[lane], least_of[lane]);
+    return Sums(energies_of[lane], least_of[lane], 0.0);
 }
 
 // Rows to as many results as there are workgroups.

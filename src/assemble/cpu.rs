@@ -34,7 +34,7 @@ pub struct CpuAssembler<const D: usize, S: Scalar = F64x2> {
     pub(super) template: TemplateField<D>,
     /// Weight of the volume density by cells, quadrature weights excluded.
     pub(super) volume_weight: Vec<f64>,
-    pins: Vec<pins::Placed<D>>,
+    pub(super) pins: Vec<pins::Placed<D>>,
     corner_neighbours: [[usize; MAX_CORNERS]; MAX_CORNERS],
     integrals: spatial::CellIntegrals<D>,
 }

@@ -2,8 +2,8 @@
 //!
 //! Displacements are differenced before they are rounded, sums are trees whose last stage is f64, and what f32 cannot
 //! decide the processor's twin does: whether a deformation next to a fold is admissible, and what a displacement that is
-//! no number costs. So both take the same steps. Pins, a few multiplications each, are the twin's too, and where there are
-//! any the displacement stays with the processor.
+//! no number costs. So both take the same steps. Pins, a few multiplications each, are the twin's too, unless the
+//! displacement stays on the card.
 //!
 //! A step of Newton's method stays on the card as a whole ([`attempt`](Assembler::attempt)): what comes back are sums.
 //!
@@ -24,6 +24,7 @@ mod kernels;
 mod level;
 mod multigrid;
 mod pace;
+mod pins;
 mod resident;
 mod slab;
 mod upload;
@@ -221,13 +222,11 @@ impl<const D: usize> GpuAssembler<D> {
     /// The same step as a minimiser would make that has derivatives and energies from here.
     async fn try_step(&mut self, start: Option<&[f64]>, ask: &Ask) -> Option<Attempt> {
         let Self { gpu, twin, chosen, there } = self;
-        // Pins are the twin's, which has no displacement then.
-        if !matches!(chosen, Chosen::Card) || gpu.trouble().is_some() || twin.has_pins() {
+        if !matches!(chosen, Chosen::Card) || gpu.trouble().is_some() {
             return None;
         }
         let There { kernels, level, band, forces, resident, .. } = there.get_or_insert_with(|| There::new(gpu, twin));
-        let made =
-            || Resident::new(gpu, kernels, level, forces, Pairs::new(gpu, kernels, level, twin, band), twin.grid);
+        let made = || Resident::new(gpu, kernels, level, forces, Pairs::new(gpu, kernels, level, twin, band), twin);
         let resident = resident.get_or_insert_with(made).as_mut()?;
         let mut renewal = ask.renewal;
         if let Some(displacement) = start {
@@ -272,7 +271,7 @@ impl<const D: usize> GpuAssembler<D> {
 /// What the sums say; None where that is the twin's affair.
 fn decided(sums: &Sums) -> Option<Evaluation> {
     let [membrane, bending, mismatch, volume] = sums.energies;
-    let energies = Energies { membrane, bending, mismatch, volume, pins: 0.0 };
+    let energies = Energies { membrane, bending, mismatch, volume, pins: sums.pins };
     // Not a number is not greater, either.
     let is_decided = sums.ratio.abs() > DOUBT && energies.total().is_finite();
     is_decided.then_some(Evaluation { energies, least_determinant: sums.least })

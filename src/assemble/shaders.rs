@@ -21,12 +21,13 @@ const SHARED: [&str; 14] = [
 const PLANE: &str = include_str!("../../shaders/plane.wgsl");
 const SPACE: &str = include_str!("../../shaders/space.wgsl");
 /// What follows the energies: their sums, then what a minimiser does with them that stays on the card.
-const LAST: [&str; 5] = [
+const LAST: [&str; 6] = [
     include_str!("../../shaders/assemble.wgsl"),
     include_str!("../../shaders/hessian.wgsl"),
     include_str!("../../shaders/multigrid.wgsl"),
     include_str!("../../shaders/gradients.wgsl"),
     include_str!("../../shaders/resident.wgsl"),
+    include_str!("../../shaders/pins.wgsl"),
 ];
 
 /// The whole module for D dimensions.
@@ -79,6 +80,8 @@ mod tests {
             "weigh",
             "weighed",
             "stiffen",
+            "pull_pins",
+            "stiffen_pins",
         ];
         assert_eq!(entries, expected);
     }

@@ -8,14 +8,14 @@ use crate::small::Scalar;
 use crate::stencil::StencilOperator;
 
 /// A pin on the grid.
-pub(super) struct Placed<const D: usize> {
+pub(in crate::assemble) struct Placed<const D: usize> {
     /// Lowest node of its cell, and the corners' shares in φ(p).
-    base: usize,
-    shares: [f64; MAX_CORNERS],
+    pub base: usize,
+    pub shares: [f64; MAX_CORNERS],
     /// p − q: what is left of φ(p) − q where u vanishes.
-    offset: [f64; D],
+    pub offset: [f64; D],
     /// w σ²/ε.
-    weight: f64,
+    pub weight: f64,
 }
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
@@ -35,11 +35,6 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 weight,
             }
         }));
-    }
-
-    #[cfg(feature = "gpu")]
-    pub(in crate::assemble) fn has_pins(&self) -> bool {
-        !self.pins.is_empty()
     }
 
     /// [`pins_pass`](Self::pins_pass), for an assembler that computes all else.

@@ -9,7 +9,7 @@ use crate::assemble::CpuAssembler;
 use bytemuck::cast_slice;
 use wgpu::BufferUsages;
 
-/// Numbers of a row of sums: four energies, two bounds, and what aligns it.
+/// Numbers of a row of sums: four energies, two bounds, what pins cost, and what aligns it.
 pub(super) const ROW: usize = 8;
 /// Rows that are read back: 2 kB.
 const MOST_RESULTS: usize = 64;
@@ -18,6 +18,8 @@ const MOST_RESULTS: usize = 64;
 pub(super) struct Sums {
     /// Membrane, bending, mismatch, volume.
     pub energies: [f64; 4],
+    /// Of a displacement that stays on the card; else they are the twin's.
+    pub pins: f64,
     /// The least determinant, and the least in units of what the edges of its cell could make.
     pub least: f64,
     pub ratio: f64,
@@ -137,12 +139,13 @@ impl Forces {
 
 /// The last stage, in f64.
 pub(super) fn sum_of_rows(rows: &[f32]) -> Sums {
-    let mut sums = Sums { energies: [0.0; 4], least: f64::INFINITY, ratio: f64::INFINITY };
+    let mut sums = Sums { energies: [0.0; 4], pins: 0.0, least: f64::INFINITY, ratio: f64::INFINITY };
     let mut is_broken = false;
     for row in rows.chunks_exact(ROW) {
         for (sum, &energy) in sums.energies.iter_mut().zip(row) {
             *sum += f64::from(energy);
         }
+        sums.pins += f64::from(row[6]);
         is_broken |= row[4].is_nan() || row[5].is_nan();
         sums.least = sums.least.min(f64::from(row[4]));
         sums.ratio = sums.ratio.min(f64::from(row[5]));

@@ -21,7 +21,7 @@ pub(super) mod binding {
     pub const RESULTS: u32 = 10;
     pub const PAIRS: u32 = 11;
     pub const BLOCKS: u32 = 12;
-    // As in `shaders/multigrid.wgsl`, `gradients.wgsl` and `resident.wgsl`.
+    // As in `shaders/multigrid.wgsl`, `gradients.wgsl`, `resident.wgsl` and `pins.wgsl`.
     pub const PLACE: u32 = 13;
     pub const NEAR: u32 = 14;
     pub const FAR: u32 = 15;
@@ -36,6 +36,9 @@ pub(super) mod binding {
     pub const COORDINATES: u32 = 24;
     pub const TRIAL: u32 = 25;
     pub const PLACED: u32 = 26;
+    pub const PINS: u32 = 27;
+    pub const TIES: u32 = 28;
+    pub const KNOTS: u32 = 29;
 }
 use binding as b;
 
@@ -122,6 +125,9 @@ pub(super) struct Solver {
     pub weigh: Kernel,
     pub weighed: Kernel,
     pub stiffen: Kernel,
+    /// The value and the gradient.
+    pub pull_pins: [Kernel; 2],
+    pub stiffen_pins: Kernel,
 }
 
 /// What ends a sum: the parts, and where it goes.
@@ -135,6 +141,7 @@ impl Solver {
         let cycle = &[b::PLACE, b::NEAR, b::FAR, b::INVERSE, b::RIGHT, b::SOLUTION, b::RESIDUAL];
         let image = &[b::PLACE, b::NEAR, b::FAR, b::SOLUTION, b::RESIDUAL, b::SCALARS, b::PARTIALS];
         let step = &[b::PLACE, b::DIRECTION, b::SEARCH, b::RIGHT, b::RESIDUAL, b::SCALARS, b::PARTIALS];
+        let pulled = &[b::LEVEL, b::NODES, b::GRADIENT, b::RESULTS, b::PINS, b::TIES];
         let start = &[b::PLACE, b::GRADIENT, b::RIGHT, b::DIRECTION, b::SOLUTION, b::PARTIALS];
         Self {
             sweep: kernel("sweep", relaxed),
@@ -161,6 +168,8 @@ impl Solver {
             weigh: kernel("weigh", &[b::PLACE, b::NEAR, b::FAR, b::PARTIALS]),
             weighed: kernel("weighed", SUM),
             stiffen: kernel("stiffen", &[b::PLACE, b::NEAR, b::FAR, b::SCALARS]),
+            pull_pins: [VALUE, GRADIENT].map(|order| Kernel::new(device, module, "pull_pins", order, pulled)),
+            stiffen_pins: kernel("stiffen_pins", &[b::PLACE, b::NEAR, b::FAR, b::KNOTS]),
         }
     }
 }
@@ -219,7 +228,7 @@ impl Kernel {
 fn layout_of(binding: u32) -> wgpu::BindGroupLayoutEntry {
     let ty = match binding {
         b::LEVEL | b::SLAB | b::PLACE | b::TRIAL => wgpu::BufferBindingType::Uniform,
-        b::NODES..=b::SAMPLES => wgpu::BufferBindingType::Storage { read_only: true },
+        b::NODES..=b::SAMPLES | b::PINS..=b::KNOTS => wgpu::BufferBindingType::Storage { read_only: true },
         _ => wgpu::BufferBindingType::Storage { read_only: false },
     };
     wgpu::BindGroupLayoutEntry {

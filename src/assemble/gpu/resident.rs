@@ -9,7 +9,10 @@ use super::hessian::Pairs;
 use super::hierarchy::{Hierarchy, SCALARS, SHIFT};
 use super::kernels::{GROUP, Kernels, Solver, binding};
 use super::level::Level;
+use super::pins::Pins;
+use super::slab::Slab;
 use super::upload::LARGEST;
+use crate::assemble::CpuAssembler;
 use crate::assemble::step::{FORCING, MOST_LINEAR_STEPS, Renewal};
 use crate::grid::Grid;
 use crate::stencil::StencilOperator;
@@ -37,6 +40,7 @@ pub(super) struct Resident<const D: usize> {
     gather: Vec<BindGroup>,
     weigh: BindGroup,
     stiffen: BindGroup,
+    pins: Option<Pins>,
     staging: Buffer,
     is_reading: bool,
     rows: usize,
@@ -74,15 +78,15 @@ impl<const D: usize> Resident<D> {
         level: &Level,
         forces: &Forces,
         pairs: Pairs,
-        grid: Grid<D>,
+        twin: &CpuAssembler<D>,
     ) -> Option<Self> {
-        let solver = kernels.solver(gpu);
+        let (solver, grid) = (kernels.solver(gpu), twin.grid);
         let hierarchy = Hierarchy::new(gpu, solver, grid, FORCING as f32)?;
         let gradients = Gradients::new(gpu, solver, grid, hierarchy, &forces.gradient);
         let (stored, copied) = (BufferUsages::STORAGE, BufferUsages::COPY_SRC | BufferUsages::COPY_DST);
         let coordinates = Buffer::empty(gpu, stored | copied, grid.node_count() * D * 8);
         let rows = forces.groups.min(ROWS);
-        let tries = STEPS
+        let tries: Vec<Try> = STEPS
             .iter()
             .map(|&step| {
                 let length = Buffer::filled(gpu, BufferUsages::UNIFORM, &[step as f32]);
@@ -113,17 +117,21 @@ impl<const D: usize> Resident<D> {
             binding::FAR => &hierarchy.far,
             binding::SCALARS => &hierarchy.scalars,
             binding::PAIRS => &pairs.pairs,
+            binding::NODES => &level.nodes,
+            binding::GRADIENT => &forces.gradient,
             _ => &gradients.partials,
         };
-        let gather = |slab: &super::slab::Slab| {
+        let gather = |slab: &Slab| {
             let of_slab = |number| if number == binding::SLAB { &slab.place } else { buffer(number) };
             solver.gather_stencil.bind(&gpu.device, |number| of_slab(number))
         };
+        let results: Vec<_> = tries.iter().map(|step| &step.results).collect();
         let staging_bytes = (STEPS.len() * rows * ROW + SCALARS) * 4;
         Some(Self {
             gather: pairs.slabs().map(gather).collect(),
             weigh: solver.weigh.bind(&gpu.device, |number| buffer(number)),
             stiffen: solver.stiffen.bind(&gpu.device, |number| buffer(number)),
+            pins: Pins::new(gpu, solver, twin, &results, |number| buffer(number)),
             staging: Buffer::empty(gpu, BufferUsages::MAP_READ | BufferUsages::COPY_DST, staging_bytes),
             grid,
             pairs,
@@ -230,12 +238,18 @@ impl<const D: usize> Resident<D> {
         solver.place_nodes.dispatch(gpu, pass, &self.tries[number].place, self.grid.node_count());
         forces.encode(gpu, kernels, pass, number == 0);
         kernels.reduce.dispatch(gpu, pass, &self.tries[number].reduce, self.rows * GROUP);
+        if let Some(pins) = &self.pins {
+            pins.pull(gpu, solver, pass, number);
+        }
     }
 
     fn assemble(&self, gpu: &Gpu, kernels: &Kernels, solver: &Solver, pass: &mut ComputePass<'_>) {
         for (number, gather) in self.gather.iter().enumerate() {
             let nodes = self.pairs.encode(gpu, kernels, pass, number);
             solver.gather_stencil.dispatch(gpu, pass, gather, nodes * StencilOperator::<D>::HALF);
+        }
+        if let Some(pins) = &self.pins {
+            pins.stiffen(gpu, solver, pass);
         }
         solver.weigh.dispatch(gpu, pass, &self.weigh, self.grid.node_count());
         solver.weighed.dispatch(gpu, pass, &self.gradients.sum, GROUP);

@@ -92,7 +92,7 @@ impl Gpu {
         let adapter = instance
             .request_adapter(&options)
             .await
-            .map_err(|error| format!("there is no graphics card to compute on ({error})"))?;
+            .map_err(|error| format!("there is no graphics card to compute on ({})", said(&error)))?;
         #[cfg(not(target_arch = "wasm32"))]
         let (name, is_software) = {
             let info = adapter.get_info();
@@ -104,7 +104,7 @@ impl Gpu {
         let (device, queue) = adapter
             .request_device(&descriptor)
             .await
-            .map_err(|error| format!("the graphics card refuses to compute ({error})"))?;
+            .map_err(|error| format!("the graphics card refuses to compute ({})", said(&error)))?;
 
         let trouble = Arc::new(Mutex::new(None));
         let (lost, failed) = (trouble.clone(), trouble.clone());
@@ -230,9 +230,30 @@ fn give(answer: &Mutex<Answer>, mapped: bool) {
     }
 }
 
+/// What an error says. A browser's comes with where in its code it arose, line by line.
+fn said(error: &impl ToString) -> String {
+    let text = error.to_string();
+    let line = text.lines().next().unwrap_or_default();
+    line.strip_prefix("JsValue(").map_or(line, |value| value.strip_suffix(')').unwrap_or(value)).to_owned()
+}
+
 /// The first reason is the one to tell.
 fn note(trouble: &Mutex<Option<String>>, reason: String) {
     if let Ok(mut trouble) = trouble.lock() {
         trouble.get_or_insert(reason);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::said;
+
+    #[test]
+    fn of_a_browsers_error_only_what_it_says_is_told() {
+        let browsers =
+            "JsValue(TypeError: no device\nTypeError: no device\n    at requestDevice (thinshell.js:763:30))";
+        assert_eq!(said(&browsers), "TypeError: no device");
+        assert_eq!(said(&"JsValue(OperationError: lost)"), "OperationError: lost");
+        assert_eq!(said(&"limits (of 2) are not met"), "limits (of 2) are not met");
     }
 }

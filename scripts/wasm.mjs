@@ -4,6 +4,7 @@ import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { withShortImports } from "./lib/imports.mjs";
 import { heading, main, must, root } from "./lib/process.mjs";
 import { OFFERED_TYPES, offeredModule, settingsModule, settingsTypes } from "./lib/settings.mjs";
 import { checkNode, ensureBindgen, ensurePackages, ensureRust } from "./lib/setup.mjs";
@@ -99,6 +100,7 @@ async function packageWasm(crate, name, out, complete, options = []) {
     .update(readFileSync(compiled))
     .update(readFileSync(new URL(import.meta.url)))
     .update(readFileSync(new URL("./lib/settings.mjs", import.meta.url)))
+    .update(readFileSync(new URL("./lib/imports.mjs", import.meta.url)))
     .update(readFileSync(join(root, "Cargo.lock")))
     .digest("hex");
   if (existsSync(stamp) && readFileSync(stamp, "utf8") === key) return;
@@ -111,6 +113,10 @@ async function packageWasm(crate, name, out, complete, options = []) {
   const before = readFileSync(module).length;
   const optimizer = join(root, "node_modules", "binaryen", "bin", "wasm-opt");
   await must(process.execPath, [optimizer, "-O3", ...FEATURES, module, "-o", module]);
+  const glue = join(fresh, `${name}.js`);
+  const short = withShortImports(readFileSync(module), readFileSync(glue, "utf8"));
+  writeFileSync(module, short.module);
+  writeFileSync(glue, short.glue);
   console.log(
     `${name}_bg.wasm: ${kilobytes(before)} from wasm-bindgen, ${kilobytes(readFileSync(module).length)} after wasm-opt`,
   );

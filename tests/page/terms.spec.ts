@@ -25,6 +25,23 @@ test("a term is left out by a press at the result, and taken in again with its o
   await expect(result(page)).toHaveAccessibleName(/matched, at most/);
 });
 
+test("each term bears the symbol of its weight beside its word, in one line", async ({ page }) => {
+  await opened(page);
+  const terms = page.locator(".terms .term");
+  await expect(terms).toHaveText(["Stretchingαmem", "Bendingαbend", "Mismatch1/ε", "Volumeξ"]);
+  await expect(page.getByRole("switch", { name: "Stretching", exact: true })).toBeChecked();
+  for (const width of [320, 390, 521, 768, 1024, 1140, 1240, 1280]) {
+    await page.setViewportSize({ width, height: 800 });
+    const boxes = await terms.evaluateAll((all) => all.map((one) => one.getBoundingClientRect().toJSON()));
+    for (const [k, { left, right, top, height }] of boxes.entries()) {
+      expect(right, `${width}`).toBeLessThanOrEqual(width);
+      expect(height, `${width}`).toBeLessThan(46);
+      const before = boxes[k - 1];
+      if (before?.top === top) expect(left, `${width}`).toBeGreaterThanOrEqual(before.right);
+    }
+  }
+});
+
 test("every iteration can be looked at again, and the end is what is left when that is over", async ({ page }) => {
   const seen = watch(page);
   await opened(page);

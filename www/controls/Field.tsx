@@ -2,6 +2,7 @@ import { useSignal } from "@preact/signals";
 import { type NumberSetting, parseSetting, type SettingField } from "../settings";
 import { later } from "../words/later";
 import { written } from "../words/numbers";
+import { Sign } from "./Sign";
 import { fromSlider, onSlider, SLIDER_STEPS } from "./slider";
 
 type Properties = {
@@ -29,7 +30,7 @@ export function Field({ field, value, help, change, preview }: Properties) {
   return (
     <div class="field">
       <label for={id}>{field.label}</label>
-      <Sign text={field.symbol} />
+      {field.symbol.includes("_") && <Sign text={field.symbol} />}
       {field.kind === "choice" ? (
         <select
           id={id}
@@ -67,18 +68,6 @@ export function Field({ field, value, help, change, preview }: Properties) {
         {problem.value ?? help}
       </p>
     </div>
-  );
-}
-
-/** A symbol with an index, beside the word for it; one without stands in the label. */
-function Sign({ text }: { text: string }) {
-  if (!text.includes("_")) return null;
-  const [letter, index] = text.split("_");
-  return (
-    <span class="symbol">
-      {letter}
-      <sub>{index}</sub>
-    </span>
   );
 }
 

@@ -6,15 +6,21 @@ import { FIELDS, type SettingField } from "../settings";
 import { hands } from "../tools/tool";
 import { en } from "../words/en";
 import { decimals } from "../words/numbers";
+import { Sign } from "./Sign";
 
-type Term = { readonly name: keyof Status["energies"] & keyof typeof en.terms.names; readonly off: number | null };
+type Term = {
+  readonly name: keyof Status["energies"] & keyof typeof en.terms.names;
+  /** The setting that weighs it. */
+  readonly weight: SettingField["name"];
+  readonly off: number | null;
+};
 
 /** `off` leaves a term out, or as good as: without any volume term the plane could fold. None for what the fit is. */
 const TERMS: readonly Term[] = [
-  { name: "membrane", off: 0 },
-  { name: "bending", off: 0 },
-  { name: "mismatch", off: null },
-  { name: "volume", off: 1e-6 },
+  { name: "membrane", weight: "membrane", off: 0 },
+  { name: "bending", weight: "bending", off: 0 },
+  { name: "mismatch", weight: "penalty", off: null },
+  { name: "volume", weight: "volume", off: 1e-6 },
 ];
 
 /**
@@ -56,11 +62,12 @@ function restOf({ frame: { rest }, settings }: Result, name: Term["name"]): numb
   return known && rest ? rest[name] : 0;
 }
 
-function Name({ session, term: { name, off } }: { session: Session; term: Term }) {
+function Name({ session, term: { name, weight, off } }: { session: Session; term: Term }) {
   /** The value to come back to. */
   const before = useRef<number | null>(null);
-  const field = FIELDS.find((candidate) => candidate.name === name);
-  if (off === null || !field) return <span class={`term ${name}`}>{en.terms.names[name]}</span>;
+  const field = FIELDS.find((candidate) => candidate.name === weight);
+  const words = [en.terms.names[name], field && <Sign key="sign" text={field.symbol} />];
+  if (off === null || !field) return <span class={`term ${name}`}>{words}</span>;
   const value = chosen(session, field);
   const on = value > off;
   return (
@@ -75,7 +82,7 @@ function Name({ session, term: { name, off } }: { session: Session; term: Term }
         session.choices.tryOut(field, on ? off : (before.current ?? Number(field.initial)));
       }}
     >
-      {en.terms.names[name]}
+      {words}
     </button>
   );
 }

@@ -42,7 +42,7 @@ export const indexFile: FileWords = {
         "Mit den vorzeichenbehafteten Abständen <math><msub><mi>d</mi><mn>1</mn></msub></math> und <math><msub><mi>d</mi><mn>2</mn></msub></math> zu den beiden Kurven minimiert die Verformung <math><mi>φ</mi></math>",
     },
     {
-      innerHTML: `Nahe der Referenz, wo <math><mi>η</mi></math> nicht null ist, wehrt sich der erste Term gegen Streckung entlang der Kurve, der zweite gegen eine Änderung ihrer Krümmung, der dritte zieht die Kurve auf das Ziel, und der letzte hält die Ebene zusammen. Das Minimum wird zuerst auf einem groben Gitter gesucht, dann auf immer feineren. Das Verfahren stammt von J. A. Iglesias, B. Berkels, M. Rumpf und O. Scherzer, ${paper}, <span lang="en">Vision, Modeling and Visualization</span> 2013. Die Experimente des Artikels lassen sich <a href="./experiments.html">hier berechnen</a>.`,
+      innerHTML: `Nahe der Referenz, wo <math><mi>η</mi></math> nicht null ist, wehrt sich der erste Term gegen Streckung entlang der Kurve, der zweite gegen eine Änderung ihrer Krümmung, der dritte zieht die Kurve auf das Ziel, und <math><msub><mi>W</mi><mtext>tan</mtext></msub></math> hält sie längs des Ziels, nicht in Wellen um es herum. Der letzte hält die Ebene zusammen, außerhalb der Referenz mit dem <math><mi>ζ</mi></math>-fachen Gewicht. Das Minimum wird zuerst auf einem groben Gitter gesucht, dann auf immer feineren. Das Verfahren stammt von J. A. Iglesias, B. Berkels, M. Rumpf und O. Scherzer, ${paper}, <span lang="en">Vision, Modeling and Visualization</span> 2013. Die Experimente des Artikels lassen sich <a href="./experiments.html">hier berechnen</a>.`,
     },
     { innerHTML: "Zeichnen" },
     {

@@ -144,6 +144,28 @@ test("a presentation shows the result alone in type of 20 px and more, and keys 
   await expect(page.getByRole("application", { name: "Reference shape" })).toBeVisible();
 });
 
+for (const lang of ["en", "de"]) {
+  test(`a presentation fills a projector of 1024 × 768 without a part on another (${lang})`, async ({ page }) => {
+    await page.setViewportSize({ width: 1024, height: 768 });
+    await page.goto(`./?lang=${lang}#v=1&preset=star&finest=5`);
+    await finished(page);
+    await page.locator("button.present").click();
+    await expect(page.locator(".present-keys")).toBeVisible();
+    const box = (part: string) => page.locator(part).evaluate((one) => one.getBoundingClientRect().toJSON());
+    await expect.poll(async () => (await box(".stage")).width).toBeGreaterThan(0.56 * 1024);
+    const [stage, header, morph, terms, caption] = await Promise.all(
+      [".stage", ".outcome header", ".morph", ".terms", ".caption"].map(box),
+    );
+    expect(stage.height).toBeCloseTo(stage.width, 0);
+    expect(header.left).toBeGreaterThan(stage.right);
+    expect(morph.top).toBeGreaterThan(stage.bottom);
+    expect(terms.top).toBeGreaterThanOrEqual(morph.bottom);
+    expect(terms.bottom).toBeGreaterThan(0.95 * 768);
+    expect(Math.max(terms.bottom, caption.bottom)).toBeLessThanOrEqual(768);
+    expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBeLessThanOrEqual(768);
+  });
+}
+
 test("the terms' forces are drawn over the picture, and go again", async ({ page }) => {
   const seen = watch(page);
   await opened(page);

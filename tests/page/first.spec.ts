@@ -67,9 +67,32 @@ test.describe("on a phone", () => {
     await expect(button(page, "Back to the result")).toBeVisible();
     await expect(result(page)).toBeInViewport({ ratio: 1 });
     expect((await result(page).boundingBox())?.width).toBeLessThan(large / 2);
+    // No line of the page is covered in part: it is seen beside nothing, or not at all.
+    const strip = (await page.locator(".surface.pinned").boundingBox()) ?? { x: 1, y: 1, width: 0, height: 0 };
+    expect([strip.x, strip.y, strip.width]).toEqual([0, 0, 390]);
+    expect(strip.height).toBeLessThan(844 / 5);
+    await expect(page.locator(".pinned .told")).toContainText("Fits");
+    await page.getByLabel("Volume ξ", { exact: true }).fill("0.1");
+    await page.getByLabel("Volume ξ", { exact: true }).press("Enter");
+    await expect(page.locator(".pinned .told")).toContainText("The settings have changed");
+    // Nor is what the keyboard goes to.
+    for (let k = 0; k < 3; k += 1) await page.keyboard.press("Shift+Tab");
+    await expect(button(page, "Back to the result")).toBeVisible();
+    const top = await page.evaluate(() => document.activeElement?.getBoundingClientRect().top);
+    expect(top).toBeGreaterThanOrEqual(strip.height);
     await button(page, "Back to the result").click();
     await expect(button(page, "Back to the result")).toHaveCount(0);
     await expect(result(page)).toBeInViewport({ ratio: 0.9 });
+  });
+
+  test("who jumps past the result from above it has the small one as well", async ({ page }) => {
+    await page.setViewportSize({ width: 320, height: 480 });
+    await page.goto("./#v=1&preset=ellipse&finest=5");
+    await finished(page);
+    await expect(result(page)).not.toBeInViewport();
+    await expect(button(page, "Back to the result")).toHaveCount(0);
+    await page.evaluate(() => scrollTo(0, 1e6));
+    await expect(button(page, "Back to the result")).toBeVisible();
   });
 
   test("an example brings the result into view", async ({ page }) => {

@@ -3,14 +3,15 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Session } from "../session";
 import { en } from "../words/en";
 import { ResultPanel } from "./ResultPanel";
-import { Progress } from "./StatusPanel";
+import { Progress, said } from "./StatusPanel";
+import { past } from "./viewing";
 
 /** Where the parts of the page lie under each other; the same width as in layout.css. */
 const NARROW = "(max-width: 900px)";
 
 /**
  * The place of the result. Where it has been scrolled away above, as on a phone whose settings are open, a small one
- * stays in the corner, and a tap on it leads back.
+ * stays at the top, with what is said of it, and a tap on it leads back.
  */
 export function Stage({ session }: { session: Session }) {
   const place = useRef<HTMLDivElement>(null);
@@ -22,7 +23,8 @@ export function Stage({ session }: { session: Session }) {
       ([{ intersectionRatio, boundingClientRect }]) => {
         pinned.value = narrow.matches && intersectionRatio < 0.3 && boundingClientRect.top < 0;
       },
-      { threshold: [0, 0.3] },
+      // What lies below counts as seen: who jumps from above it to below it has passed it.
+      { threshold: [0, 0.3], rootMargin: "0px 0px 1000000px" },
     );
     watcher.observe(place.current);
     return () => watcher.disconnect();
@@ -32,7 +34,15 @@ export function Stage({ session }: { session: Session }) {
       <div class={pinned.value ? "surface pinned" : "surface"}>
         <Progress session={session} />
         <ResultPanel session={session} />
-        {pinned.value && <button type="button" class="back" aria-label={en.result.back} onClick={reveal} />}
+        {pinned.value && (
+          <>
+            {/* Who hears the page has heard it. */}
+            <p class="told" aria-hidden="true">
+              {past.value?.words ?? said(session)}
+            </p>
+            <button type="button" class="back" aria-label={en.result.back} onClick={reveal} />
+          </>
+        )}
       </div>
     </div>
   );

@@ -18,9 +18,7 @@ export function StatusPanel({ session }: { session: Session }) {
   return (
     // Thirty updates a second would drown a screen reader: it hears the beginning and the end.
     <div class="status" role="status" aria-live={working && !paused && status ? "off" : "polite"}>
-      <p class="headline">
-        {headline({ phase, loaded: session.loaded.value, status: status ?? null, ...staleness(session) })}
-      </p>
+      <p class="headline">{said(session)}</p>
       {status && (
         <Numbers
           status={status}
@@ -40,6 +38,13 @@ export function StatusPanel({ session }: { session: Session }) {
       {!working && <Resolution session={session} />}
     </div>
   );
+}
+
+/** The one sentence under the picture. */
+export function said(session: Session): string {
+  const status = session.fresh.value ? session.match.value?.status : undefined;
+  const [phase, loaded] = [session.phase.value, session.loaded.value];
+  return headline({ phase, loaded, status: status ?? null, ...staleness(session) });
 }
 
 /** What the colours, lines and ticks of the chosen view mean. */

@@ -261,10 +261,16 @@ test("the morph of surfaces is saved as a film", async ({ page }) => {
   expect(ours(errors)).toEqual([]);
 });
 
-test("examples have pictures of their surfaces", async ({ page }) => {
+test("examples have pictures of their surfaces, painted when they come into sight", async ({ page }) => {
   test.slow();
+  await page.setViewportSize({ width: 390, height: 844 });
   await page.goto(SMALL);
+  await finished(page);
   const pictures = page.locator(".presets .thumb img");
+  await expect(page.locator(".presets .thumb")).toHaveCount(22);
+  await expect(pictures).toHaveCount(0);
+  await page.locator(".presets").evaluate((list) => list.scrollIntoView({ block: "end" }));
+  await page.setViewportSize({ width: 390, height: 1800 });
   await expect(pictures).toHaveCount(22, { timeout: 60_000 });
 });
 

@@ -1,5 +1,5 @@
 import { signal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { surface } from "./gallery";
 import { picture } from "./picture";
 
@@ -22,14 +22,26 @@ async function paint(id: string): Promise<void> {
   painted.value = new Map(painted.value).set(id, address);
 }
 
-/** A small picture of a surface of the gallery. */
+/** A small picture of a surface of the gallery, painted when it comes into sight: most visits never scroll to most. */
 export function Thumb({ id }: { id: string }) {
+  const place = useRef<HTMLSpanElement>(null);
   useEffect(() => {
-    if (asked.has(id)) return;
-    asked.add(id);
-    // A picture that cannot be painted is left out.
-    last = last.then(() => paint(id)).catch(() => {});
+    if (!place.current) return;
+    const watcher = new IntersectionObserver((seen) => {
+      if (!seen.some(({ isIntersecting }) => isIntersecting)) return;
+      watcher.disconnect();
+      if (asked.has(id)) return;
+      asked.add(id);
+      // A picture that cannot be painted is left out.
+      last = last.then(() => paint(id)).catch(() => {});
+    });
+    watcher.observe(place.current);
+    return () => watcher.disconnect();
   }, [id]);
   const address = painted.value.get(id);
-  return <span class="thumb">{address && <img src={address} alt="" />}</span>;
+  return (
+    <span ref={place} class="thumb">
+      {address && <img src={address} alt="" />}
+    </span>
+  );
 }

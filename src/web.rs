@@ -204,7 +204,7 @@ impl Registration {
         self.queue.now(|any| of_any!(any, state => state.inverse_map(&points)))
     }
 
-    /// Lets go of the memory. Steps under way still answer; whatever is asked afterwards is refused.
+    /// Lets go of the memory. A step that has begun to compute still answers; what waits, or is asked afterwards, is refused.
     pub fn free(&self) {
         self.queue.close();
     }

@@ -112,6 +112,7 @@ fn pair<const D: usize>(a: &Slots<f64, D>, b: &Slots<f64, D>) -> f64 {
 /// E(z + τ d) − E(z) − τ ⟨∇E, d⟩ falls like τ²: halving τ quarters it.
 fn taylor<const D: usize>(term: &impl Term<D>) {
     let mut random = Random(7);
+    let mut bent = 0;
     for _ in 0..20 {
         let template = Template::<D>::random(&mut random);
         let reference = random_reference(&mut random);
@@ -131,7 +132,9 @@ fn taylor<const D: usize>(term: &impl Term<D>) {
         }
         let order = (first / second).log2();
         assert!((order - 2.0).abs() < 0.1, "the remainder falls with order {order}, not 2 ({first:e}, {second:e})");
+        bent += 1;
     }
+    assert!(bent > 10, "{bent} of 20 tell something");
 }
 
 /// The full symmetric matrix of a response's hessian.
@@ -418,10 +421,14 @@ fn lanes_give_what_the_scalar_gives() {
     compare::<2>(&ProjectedMembrane(MATERIAL));
     compare::<2>(&Tangency);
     compare::<2>(&Bending);
+    compare::<2>(&MeanCurvature);
+    compare::<2>(&Mismatch);
     compare::<2>(&Volume(MATERIAL));
     compare::<3>(&Membrane(MATERIAL));
     compare::<3>(&ProjectedMembrane(MATERIAL));
     compare::<3>(&Tangency);
     compare::<3>(&Bending);
+    compare::<3>(&MeanCurvature);
+    compare::<3>(&Mismatch);
     compare::<3>(&Volume(MATERIAL));
 }

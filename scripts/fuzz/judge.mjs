@@ -98,5 +98,6 @@ export function judgeAnswers(registration, status) {
 /** @param {Float64Array} a @param {Float64Array} b */
 function farthest(a, b) {
   demand(a.length === b.length, "as many numbers come out as go in", a.length, b.length);
-  return a.reduce((most, value, k) => (Math.abs(value - b[k]) <= most ? most : Math.abs(value - b[k])), 0);
+  // What is no number stays in the maximum.
+  return a.reduce((most, value, k) => Math.max(most, Math.abs(value - b[k])), 0);
 }

@@ -46,6 +46,7 @@ for (const [kind, search] of Object.entries(KINDS)) {
         if (kind === "compare") await expect(page.locator(".pair canvas")).toHaveCount(2);
         else await finishedIn(page.mainFrame());
         expect(await overflowing(page)).toEqual([]);
+        await expect(page.locator("canvas").first()).toBeVisible();
         for (const canvas of await page.locator("canvas").all()) await expect(canvas).toBeInViewport({ ratio: 1 });
         expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
       }
@@ -69,6 +70,7 @@ test("numbers keep to their columns, in German as well, whose words are longer",
       await page.goto("about:blank");
       await page.goto(`./?lang=${lang}${width < 1000 ? "&embed=result" : ""}#v=2&preset=square&finest=6`);
       await finished(page);
+      expect(await page.locator(".status :is(dt, dd)").count()).toBeGreaterThan(10);
       const wide = await page
         .locator(".status :is(dt, dd)")
         .evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.textContent));

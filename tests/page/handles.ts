@@ -23,7 +23,8 @@ export function button(page: Page, name: string): Locator {
 /** A machine-readable value of the status; waits until it is there. */
 export async function value(page: Page, name: string): Promise<number> {
   const text = await page.getByRole("status").locator(`data[data-name="${name}"]`).getAttribute("value");
-  return Number(text);
+  // Without a value there is no number: an empty text would be 0.
+  return text ? Number(text) : Number.NaN;
 }
 
 /** Waits for the end of the run and for its last picture. */

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { keyed, loopFromStroke, pulled, settled, withLoop } from "./edit";
-import { contains, type Loop, type Point, perimeter, SAMPLES, signedArea } from "./geometry";
+import { contains, type Loop, type Point, perimeter, reversed, SAMPLES, signedArea } from "./geometry";
 
 function arc(radius: number, from: number, to: number, count = 90, x = 0.5): Point[] {
   return Array.from({ length: count }, (_, i) => {
@@ -48,8 +48,8 @@ describe("strokes", () => {
 describe("further loops", () => {
   test("drawn inside, either way round, cut a hole", () => {
     const outer = withLoop([], loop(0.3));
-    for (const hole of [loop(0.1), loop(0.1).slice().reverse() as Loop]) {
-      const ring = withLoop(outer, hole.length > 0 ? hole : loop(0.1));
+    for (const hole of [loop(0.1), reversed(loop(0.1))]) {
+      const ring = withLoop(outer, hole);
       expect(contains(ring, { x: 0.5, y: 0.5 })).toBe(false);
       expect(contains(ring, { x: 0.7, y: 0.5 })).toBe(true);
     }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { bounds, type Loop, type Shape, signedArea } from "../geometry";
+import { bounds, type Loop, reversed, type Shape, signedArea } from "../geometry";
 import { outlined } from "./raster";
 import { isTangled, type Region, united } from "./region";
 
@@ -40,7 +40,7 @@ test("a disc on the raster is the disc, to a sample", () => {
 test("the raster agrees with the exact union: overlaps, holes, either rule, either direction", () => {
   const regions: Region[] = [
     { loops: [disc(0, 0, 3), disc(0, 0, 1)], rule: "evenodd" },
-    { loops: [disc(2, 1, 2).toReversed()], rule: "nonzero" },
+    { loops: [reversed(disc(2, 1, 2))], rule: "nonzero" },
     { loops: [disc(-6, 0, 1), disc(-6, 0, 0.5)], rule: "nonzero" },
   ];
   const [exact, seen] = [united(regions), outlined(regions)];

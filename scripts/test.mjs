@@ -210,7 +210,8 @@ function cargoTests({ code, text }) {
     count.passed += Number(passed);
     count.failed += Number(failed);
   }
-  return reconcile(code, count);
+  const skipped = [...text.matchAll(/^skipped: /gm)].length;
+  return reconcile(code, { ...count, passed: count.passed - skipped, skipped });
 }
 
 /**

@@ -1,5 +1,6 @@
 //! The graphics card of tests.
 
+use std::io::{Write, stderr};
 use std::rc::Rc;
 use thinshell::assemble::Gpu;
 use thinshell::ready::ready;
@@ -11,7 +12,10 @@ pub fn card() -> Option<Rc<Gpu>> {
         Ok(gpu) => Some(gpu),
         Err(reason) => {
             assert!(std::env::var_os("CI").is_none(), "CI has a software card: {reason}");
-            eprintln!("skipped: {reason}; on Debian `apt-get install mesa-vulkan-drivers` brings one");
+            // Not by `eprintln`, which a test that passes keeps to itself.
+            let told =
+                writeln!(stderr(), "skipped: {reason}; on Debian `apt-get install mesa-vulkan-drivers` brings one");
+            told.expect("the standard error is open");
             None
         }
     }

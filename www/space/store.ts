@@ -45,7 +45,13 @@ async function answer(mode: IDBTransactionMode, ask: (table: IDBObjectStore) => 
   opening.onupgradeneeded = () => opening.result.createObjectStore(TABLE);
   const database = (await settled(opening)) as IDBDatabase;
   try {
-    return await settled(ask(database.transaction(TABLE, mode).objectStore(TABLE)));
+    const transaction = database.transaction(TABLE, mode);
+    // A request may succeed and the storage be found full when all is written.
+    const written = new Promise((resolve, reject) => {
+      transaction.oncomplete = resolve;
+      transaction.onabort = () => reject(transaction.error);
+    });
+    return (await Promise.all([settled(ask(transaction.objectStore(TABLE))), written]))[0];
   } finally {
     database.close();
   }

@@ -193,13 +193,22 @@ function start(root: HTMLElement, isSpoken: boolean): void {
   );
 }
 
+function embedded(root: HTMLElement): Promise<void> {
+  return import("./embed").then(
+    ({ embed }) => embed(root, engine),
+    () => {
+      root.textContent = en.missing.sentence(en.missing.view);
+      root.setAttribute("role", "alert");
+    },
+  );
+}
+
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no #app");
 readFile("indexFile", "h1, .promise, #method h2, #method p, footer p");
 // On its way while the page is drawn, which does not wait for it.
 const coming = fetchHands();
-const show = async (isSpoken: boolean) =>
-  isEmbedded ? (await import("./embed")).embed(root, engine) : start(root, isSpoken);
+const show = (isSpoken: boolean) => (isEmbedded ? embedded(root) : start(root, isSpoken));
 begin().then(
   () => show(true),
   () => show(false),

@@ -259,6 +259,25 @@ test.describe("a part that cannot be fetched says so, and comes as soon as it ca
     await page.getByText("Compare side by side").click();
     await expect(button(page, "Compare")).toBeVisible();
   });
+
+  test("the other language, on pages without a place for what goes wrong", async ({ page }) => {
+    const give = await withhold(page, "**/assets/de-*");
+    for (const address of ["./lessons.html", "./experiments.html"]) {
+      await page.goto(address);
+      await button(page, "Deutsch").click();
+      await expect(page.getByRole("alert")).toContainText("This language could not be loaded; check the connection");
+    }
+    give();
+    await page.reload();
+    await button(page, "Deutsch").click();
+    await expect(page.locator("html")).toHaveAttribute("lang", "de");
+  });
+
+  test("what is shown in a frame", async ({ page }) => {
+    await withhold(page, "**/assets/embed-*");
+    await page.goto("./?embed=result#v=2&preset=ellipse&finest=5");
+    await expect(page.getByRole("alert")).toContainText("This view could not be loaded; check the connection");
+  });
 });
 
 test("a video of no bytes is not saved: the morph is, as a GIF, and the page says so", async ({ page }) => {

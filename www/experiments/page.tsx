@@ -3,7 +3,7 @@
 import { render } from "preact";
 import paper from "../../docs/paper.md?raw";
 import surfaces from "../../docs/surfaces.md?raw";
-import { listenForLanguage } from "../controls/changeLanguage";
+import { listenForLanguage, sayAbove } from "../controls/changeLanguage";
 import { begin, readFile } from "../controls/language";
 import { type Engine, moduleAt } from "../engine";
 import solverUrl from "../wasm/thinshell_bg.wasm?url";
@@ -231,11 +231,12 @@ const root = document.getElementById("experiments");
 if (!root) throw new Error("experiments.html has no #experiments");
 readFile("experimentsFile", "h1, .promise, footer p");
 page("experimentTexts", Object.fromEntries(STUDIES.map((study) => [study.id, study])));
-listenForLanguage(() => {});
+const refuse = sayAbove(root);
+listenForLanguage(refuse);
 const runs = new Runs();
 begin()
-  // Where the language does not come, the page goes on in English.
-  .catch(() => {})
+  // The page goes on in English.
+  .catch(refuse)
   .then(() => {
     root.replaceChildren();
     render(<App runs={runs} />, root);

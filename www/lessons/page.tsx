@@ -4,7 +4,7 @@ import LESSONS from "virtual:lessons";
 import { useSignal } from "@preact/signals";
 import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { listenForLanguage } from "../controls/changeLanguage";
+import { listenForLanguage, sayAbove } from "../controls/changeLanguage";
 import { fetched } from "../controls/fetched";
 import { begin, readFile } from "../controls/language";
 import { lessons as say } from "../words/lessons";
@@ -147,9 +147,10 @@ function Shown({ lesson, step }: { lesson: Lesson; step: number }) {
 const root = document.getElementById("lessons");
 if (!root) throw new Error("lessons.html has no #lessons");
 readFile("lessonsFile", "h1, .promise, footer p");
+const refuse = sayAbove(root);
 const show = () => {
   root.replaceChildren();
   render(<App />, root);
-  listenForLanguage(() => {});
+  listenForLanguage(refuse);
 };
-begin().then(show, show);
+begin().catch(refuse).then(show);

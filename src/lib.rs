@@ -27,10 +27,11 @@
 //! Source: J. A. Iglesias, B. Berkels, M. Rumpf, O. Scherzer, "A Thin Shell Approach to the Registration of Implicit
 //! Surfaces", Vision, Modeling and Visualization 2013; equation numbers in this crate are the paper's.
 //!
-//! Modules, each using only those before it: [`small`], [`grid`], [`quadrature`], [`field`], [`hypersurface`], [`distance`], [`energy`],
-//! [`stencil`], [`assemble`], [`metric`], [`multigrid`], [`minimize`], [`prolongation`], [`inverse`], [`align`],
-//! [`settings`], [`cascade`], [`report`], [`search`]; [`contour`], [`surface`], [`narrow`] and [`verdict`] look at shapes and results,
-//! [`shape`] takes input.
+//! Modules, each using only those before it: [`error`], [`ready`], [`small`], [`grid`], [`contour`], [`quadrature`],
+//! [`field`], [`hypersurface`], [`distance`], [`energy`], [`stencil`], [`assemble`], [`metric`], [`multigrid`],
+//! [`minimize`], [`prolongation`], [`inverse`], [`align`], [`settings`], [`cascade`], [`report`], [`search`]; [`surface`],
+//! [`narrow`] and [`verdict`] look at shapes and results, [`shape`] takes input. Two types go the other way: the assembly
+//! names the settings' `Backend` and, on a graphics card, the multigrid's `Solve`.
 //!
 //! ```
 //! use thinshell::{search::Search, ready::ready, settings::Settings, shape::Shape};

@@ -116,7 +116,7 @@ of the functional in \`src/lib.rs\`. Those marked ● are on the page.
 
 const FOOT = `## What goes with what
 
-- \`finest\` is at least \`coarsest\`.
+- \`finest\` is at least \`coarsest\`. For surfaces it is 5 by default and 7 at most.
 - \`lambda\` is at least 2 \`mu\`. The law of shell and volume is μ/2 tr A + (λ−2μ)/8 det A + (λ+2μ)/8 / det A. With
   λ < 2μ its middle term is negative and grows faster than the first: a deformation that enlarges the box without bound
   has an energy without bound from below, so that there is nothing to find.

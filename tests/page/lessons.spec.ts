@@ -92,7 +92,9 @@ test("a lesson is read by keyboard alone, and its task is solved by keyboard", a
         const inner = (document.activeElement as HTMLIFrameElement | null)?.contentDocument?.activeElement;
         const element = inner && inner !== inner.ownerDocument.body ? inner : document.activeElement;
         const label = element?.id && element.ownerDocument.querySelector(`label[for="${element.id}"]`)?.textContent;
-        return label || element?.getAttribute("aria-label") || element?.textContent || "";
+        const spoken = element?.cloneNode(true) as Element | undefined;
+        for (const unspoken of spoken?.querySelectorAll('[aria-hidden="true"]') ?? []) unspoken.remove();
+        return label || element?.getAttribute("aria-label") || spoken?.textContent || "";
       });
       if (name.test(focused.trim())) return;
     }

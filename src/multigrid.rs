@@ -9,7 +9,7 @@ mod padded;
 mod sweep;
 
 use crate::grid::Grid;
-use crate::stencil::{LANES, StencilOperator};
+use crate::stencil::{LANES, Quad, StencilOperator};
 use galerkin::Galerkin;
 use padded::{Layout, Nodes};
 use sweep::{DAMPING, Scratch};
@@ -33,7 +33,7 @@ struct Level<const D: usize> {
     galerkin: Galerkin<D>,
     layout: Layout<D>,
     /// Inverse diagonal blocks, times the damping, laid out as in the operator.
-    inverse: Vec<[f32; LANES]>,
+    inverse: Vec<Quad>,
     right: Vec<f32>,
     solution: Vec<f32>,
     residual: Vec<f32>,
@@ -73,6 +73,7 @@ impl<const D: usize> Multigrid<D> {
     pub fn prepare(&mut self) {
         for fine in 0..self.levels.len() {
             let (finer, coarser) = self.levels.split_at_mut(fine + 1);
+            finer[fine].operator.complete();
             finer[fine].invert_diagonal();
             if let Some(coarse) = coarser.first_mut() {
                 let finer = &mut finer[fine];
@@ -177,7 +178,7 @@ impl<const D: usize> Level<D> {
         let layout = Layout::new(grid);
         let count = layout.len();
         Self {
-            operator: StencilOperator::zero(grid),
+            operator: if D == 3 { StencilOperator::rounded(grid) } else { StencilOperator::zero(grid) },
             galerkin: Galerkin::new(grid),
             inverse: vec![[0.0; LANES]; layout.rows() * layout.groups * StencilOperator::<D>::BLOCK],
             right: vec![0.0; count],
@@ -190,17 +191,17 @@ impl<const D: usize> Level<D> {
 
     fn invert_diagonal(&mut self) {
         match D {
-            2 => self.invert_blocks::<4, 5>(),
-            3 => self.invert_blocks::<9, 14>(),
+            2 => self.invert_blocks::<4>(),
+            3 => self.invert_blocks::<9>(),
             _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
         }
     }
 
-    fn invert_blocks<const B: usize, const H: usize>(&mut self) {
+    fn invert_blocks<const B: usize>(&mut self) {
         let (side, groups) = (self.layout.side(), self.layout.groups);
-        let own = &self.operator.padded::<B, H>()[self.layout.margin * groups..];
+        let own = &self.operator.own::<B>()[self.layout.margin * groups..];
         for (number, inverse) in self.inverse.as_chunks_mut::<B>().0.iter_mut().enumerate() {
-            let centre = &own[number][0];
+            let centre = &own[number];
             for lane in 0..LANES.min(side - number % groups * LANES) {
                 let mut block = [[0.0; D]; D];
                 let trace: f64 = (0..D).map(|k| f64::from(centre[k * D + k][lane])).sum();

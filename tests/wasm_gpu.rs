@@ -40,8 +40,7 @@ async fn agree<const D: usize>(level: u32) {
     assert!(assembler.backend().starts_with("gpu: "), "{}", assembler.backend());
     assert!((found.total() - evaluation.total()).abs() <= TOLERANCE * evaluation.total(), "{found:?} {evaluation:?}");
     assert!(is_near(&gradient, &expected));
-    let [computed, operator] =
-        [computed, operator].map(|o| o.numbers().iter().map(|&x| f64::from(x)).collect::<Vec<_>>());
+    let [computed, operator] = [computed, operator].map(|o| o.numbers().map(f64::from).collect::<Vec<_>>());
     assert!(is_near(&computed, &operator));
 
     gpu.destroy();

@@ -6,12 +6,15 @@ use crate::field::{CornerWeights, quadratic_fit};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::Rule;
 use crate::small::{Scalar, Vector, dot, frame, frobenius, normal_to};
+use std::ops::Range;
 
 /// The cells that the band η(d1/σ) > 0 meets, in packs of one cell a lane, with the reference's jets at their
 /// quadrature points.
 pub(super) struct Band<S, const D: usize> {
     /// Lowest nodes of a pack's cells, one a lane.
     pub packs: Vec<[usize; 2]>,
+    /// Where the packs of each layer of cells begin, and where those of the last end. The plane is one layer.
+    layers: Vec<usize>,
     /// `ReferenceSample`s, flattened: pack by pack, point by point.
     pub samples: Vec<S>,
 }
@@ -74,21 +77,42 @@ impl<S: Scalar, const D: usize> Band<S, D> {
         }
 
         let per_cell = points * Self::STRIDE;
-        let pack_count = cells.len().div_ceil(S::LANES);
-        let mut samples = Vec::with_capacity(pack_count * per_cell);
-        let mut packs = Vec::with_capacity(pack_count);
-        for pack in 0..pack_count {
-            let lane_cell = |lane: usize| (pack * S::LANES + lane).min(cells.len() - 1);
-            packs.push(std::array::from_fn(|lane| cells[lane_cell(lane)]));
-            for k in 0..per_cell {
-                samples.push(S::gather(|lane| {
-                    // A last pack that is not full repeats its last cell, without weight.
-                    let spare = pack * S::LANES + lane >= cells.len() && k % Self::STRIDE == 0;
-                    if spare { 0.0 } else { rows[lane_cell(lane) * per_cell + k] }
-                }));
+        let (mut packs, mut samples, mut layers) = (Vec::new(), Vec::new(), vec![0]);
+        let mut first = 0;
+        for layer in 0..Self::layer_count(grid) {
+            let nodes = Self::layer_nodes(grid, layer);
+            let end = first + cells[first..].partition_point(|base| nodes.contains(base));
+            for pack in (first..end).step_by(S::LANES) {
+                let lane_cell = |lane: usize| (pack + lane).min(end - 1);
+                packs.push(std::array::from_fn(|lane| cells[lane_cell(lane)]));
+                for k in 0..per_cell {
+                    samples.push(S::gather(|lane| {
+                        // A layer's last pack that is not full repeats its last cell, without weight.
+                        let spare = pack + lane >= end && k % Self::STRIDE == 0;
+                        if spare { 0.0 } else { rows[lane_cell(lane) * per_cell + k] }
+                    }));
+                }
             }
+            first = end;
+            layers.push(packs.len());
         }
-        Self { packs, samples }
+        Self { packs, layers, samples }
+    }
+
+    /// Layers of cells that are gone through one after the other.
+    pub fn layer_count(grid: Grid<D>) -> usize {
+        if D == 3 { grid.cells() } else { 1 }
+    }
+
+    /// The lowest nodes of a layer's cells, and others.
+    pub fn layer_nodes(grid: Grid<D>, layer: usize) -> Range<usize> {
+        let count = if D == 3 { grid.stride(D - 1) } else { grid.node_count() };
+        layer * count..(layer + 1) * count
+    }
+
+    /// The packs of a layer.
+    pub fn layer(&self, layer: usize) -> Range<usize> {
+        self.layers[layer]..self.layers[layer + 1]
     }
 
     /// With M points an axis, as it was made.

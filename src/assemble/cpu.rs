@@ -123,20 +123,26 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             self.volume_pass::<ORDER, 3>(&self.gauss3, displacement, gradient, &mut energies)
         };
         if least_determinant > 0.0 {
-            if few {
-                self.shell_pass::<ORDER, C, 2>(&self.gauss2, displacement, gradient, operator, &mut energies);
-            } else {
-                self.shell_pass::<ORDER, C, 3>(&self.gauss3, displacement, gradient, operator, &mut energies);
-            }
-            self.pins_pass::<ORDER, C>(displacement, gradient, operator, &mut energies);
-            if let Some(operator) = operator {
-                // The operator is f32, and so is what goes into it here: four cells at a time instead of two.
-                if D == 2 {
-                    self.planar_hessian_pass::<C>(displacement, operator);
+            let mut sums = [S::zero(); 3];
+            for layer in 0..Band::<S, D>::layer_count(self.grid) {
+                let packs = self.band.layer(layer);
+                if few {
+                    self.shell_pass::<ORDER, C, 2>(&self.gauss2, packs, displacement, gradient, operator, &mut sums);
                 } else {
-                    self.spatial_hessian_pass::<C>(displacement, operator);
+                    self.shell_pass::<ORDER, C, 3>(&self.gauss3, packs, displacement, gradient, operator, &mut sums);
+                }
+                let nodes = Band::<S, D>::layer_nodes(self.grid, layer);
+                self.pins_pass::<ORDER, C>(nodes, displacement, gradient, operator, &mut energies);
+                if let Some(operator) = operator {
+                    // The operator is f32, and so is what goes into it here: four cells at a time instead of two.
+                    if D == 2 {
+                        self.planar_hessian_pass::<C>(displacement, operator);
+                    } else {
+                        self.spatial_hessian_pass::<C>(layer, displacement, operator);
+                    }
                 }
             }
+            [energies.membrane, energies.bending, energies.mismatch] = sums.map(S::sum);
         }
         Evaluation { energies, least_determinant }
     }

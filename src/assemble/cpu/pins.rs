@@ -6,6 +6,7 @@ use crate::field::CornerWeights;
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::small::Scalar;
 use crate::stencil::StencilOperator;
+use std::ops::Range;
 
 /// A pin on the grid.
 pub(in crate::assemble) struct Placed<const D: usize> {
@@ -47,21 +48,22 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         energies: &mut Energies,
     ) {
         match D {
-            2 => self.pins_pass::<ORDER, 4>(displacement, gradient, operator, energies),
-            _ => self.pins_pass::<ORDER, 8>(displacement, gradient, operator, energies),
+            2 => self.pins_pass::<ORDER, 4>(0..self.grid.node_count(), displacement, gradient, operator, energies),
+            _ => self.pins_pass::<ORDER, 8>(0..self.grid.node_count(), displacement, gradient, operator, energies),
         }
     }
 
-    /// The energy of the pins.
+    /// The energy of the pins in cells whose lowest node is among these.
     pub(super) fn pins_pass<const ORDER: u8, const C: usize>(
         &self,
+        nodes: Range<usize>,
         displacement: &[f64],
         gradient: &mut [f64],
         operator: &mut Option<&mut StencilOperator<D>>,
         energies: &mut Energies,
     ) {
         let offsets = self.grid.corner_offsets();
-        for Placed { base, shares, offset, weight } in &self.pins {
+        for Placed { base, shares, offset, weight } in self.pins.iter().filter(|pin| nodes.contains(&pin.base)) {
             let mut residual = *offset;
             for corner in 0..Grid::<D>::CORNERS {
                 for (k, r) in residual.iter_mut().enumerate() {

@@ -267,8 +267,8 @@ mod tests {
         let [mut found, mut expected] = [0, 1].map(|_| StencilOperator::zero(assembler.grid));
         assembler.planar_hessian_pass::<4>(&displacement, &mut found);
         assembler.volume_hessian_pass::<f64, 4>(&displacement, &mut expected);
-        let size = expected.numbers().iter().fold(0.0_f32, |most, x| most.max(x.abs()));
-        let pairs = found.numbers().iter().zip(expected.numbers());
-        pairs.for_each(|(a, b)| close((*a).into(), (*b).into(), size.into(), 1e-5));
+        let size = expected.numbers().fold(0.0_f32, |most, x| most.max(x.abs()));
+        let pairs = found.numbers().zip(expected.numbers());
+        pairs.for_each(|(a, b)| close(a.into(), b.into(), size.into(), 1e-5));
     }
 }

@@ -5,25 +5,27 @@ use super::element::{
     MAX_COLUMNS, MAX_EDGES, Pairs, columns_of, edge_differences, edge_forces_to_corners, slots_at, stress_to_edges,
 };
 use crate::assemble::band::ReferenceSample;
-use crate::energy::{Energies, GRADIENT, HESSIAN, MAX_SLOTS, Point, Response, normal_slot, position_slot};
+use crate::energy::{GRADIENT, HESSIAN, MAX_SLOTS, Point, Response, normal_slot, position_slot};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::{Rule, edge_ends};
 use crate::small::{Scalar, Vector, add_scaled};
 use crate::stencil::StencilOperator;
+use std::ops::Range;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
-    /// Membrane, bending and mismatch over the band's cells.
+    /// Membrane, bending and mismatch over packs of the band's cells; adds to the sums of their densities.
     pub(super) fn shell_pass<const ORDER: u8, const C: usize, const M: usize>(
         &self,
         rule: &Rule<D, M>,
+        packs: Range<usize>,
         displacement: &[f64],
         gradient: &mut [f64],
         operator: &mut Option<&mut StencilOperator<D>>,
-        energies: &mut Energies,
+        sums: &mut [S; 3],
     ) {
         let (spacing, inverse) = (S::splat(self.grid.spacing()), S::splat(self.grid.cells() as f64));
-        let mut sums = [S::zero(); 3];
-        for (pack, &nodes) in self.band.packs.iter().enumerate() {
+        for pack in packs {
+            let nodes = self.band.packs[pack];
             let corners = self.gather(displacement, nodes);
             let edges = edge_differences(&corners, inverse);
             let columns = columns_of(rule, &edges);
@@ -91,9 +93,6 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                 self.scatter_pairs(&pairs, |lane| nodes[lane], operator);
             }
         }
-        energies.membrane = sums[0].sum();
-        energies.bending = sums[1].sum();
-        energies.mismatch = sums[2].sum();
     }
 
     /// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i, s_an = ∇N_a·n and s_ay = N_a.

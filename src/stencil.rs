@@ -88,19 +88,25 @@ impl<'a, const B: usize, const W: usize, const E: usize> Blocks<'a, B, W, E> {
         Self { own, next: &later[..groups], rows: std::array::from_fn(rows) }
     }
 
-    /// The block of a group and a slot, of which the first is that of the nodes with themselves.
-    #[inline(always)]
-    pub fn block(&self, group: usize, slot: usize) -> [F32x4; B] {
-        match slot {
-            0 => entries(&self.own[group]),
-            1 => entries(&self.next[group]),
-            _ => entries(&self.rows[(slot - 2) / A_ROW][group][(slot - 2) % A_ROW]),
+    /// The blocks of a slot other than the first, and from group to group how many further.
+    pub fn later(&self, slot: usize) -> (&'a [[Quad; W]], usize) {
+        match slot.checked_sub(2) {
+            None => (self.next, 1),
+            Some(other) => (&self.rows[other / A_ROW].as_flattened()[other % A_ROW..], A_ROW),
         }
+    }
+}
+
+impl<'a, const B: usize, const E: usize> Blocks<'a, B, B, E> {
+    /// The blocks of a slot, of which the first is that of the nodes with themselves, and from group to group how many further.
+    pub fn slot(&self, slot: usize) -> (&'a [[Quad; B]], usize) {
+        if slot == 0 { (self.own, 1) } else { self.later(slot) }
     }
 }
 
 impl<'a, const B: usize, const E: usize> BlocksMut<'a, B, E> {
     /// Of so many groups from one on, of all there are.
+    #[inline(never)]
     pub fn of(own: &'a mut [f32], later: &'a mut [f32], first: usize, count: usize) -> Self {
         let later = later.as_chunks_mut().0.as_chunks_mut().0;
         let groups = later.len() / (1 + A_ROW * E);
@@ -114,10 +120,13 @@ impl<'a, const B: usize, const E: usize> BlocksMut<'a, B, E> {
         Self { own: &mut own.as_chunks_mut().0.as_chunks_mut().0[..count], next: &mut next[first..][..count], rows }
     }
 
-    /// The blocks of a group by slot, of which the first is that of the nodes with themselves.
-    pub fn slots(&mut self, group: usize) -> impl Iterator<Item = &mut [Quad; B]> {
-        let rows = self.rows.iter_mut().flat_map(move |row| &mut row[group]);
-        [&mut self.own[group], &mut self.next[group]].into_iter().chain(rows)
+    /// As [`Blocks::slot`].
+    pub fn slot(&mut self, slot: usize) -> (&mut [[Quad; B]], usize) {
+        match slot {
+            0 => (self.own, 1),
+            1 => (self.next, 1),
+            _ => (&mut self.rows[(slot - 2) / A_ROW].as_flattened_mut()[(slot - 2) % A_ROW..], A_ROW),
+        }
     }
 }
 
@@ -187,8 +196,8 @@ impl<const D: usize> StencilOperator<D> {
         self.own.fill(0.0);
         match &mut self.rounding {
             // All of these will be overwritten.
-            Some(rounding) => rounding.restart(),
-            None => self.later.fill(0.0),
+            Some(rounding) if D == 3 => rounding.restart(),
+            _ => self.later.fill(0.0),
         }
     }
 
@@ -218,8 +227,9 @@ impl<const D: usize> StencilOperator<D> {
     /// Those of a row, to be overwritten: from the first row to the last.
     pub fn row_mut<const B: usize, const E: usize>(&mut self, row: usize) -> BlocksMut<'_, B, E> {
         assert!(B == Self::BLOCK);
-        if let Some(rounding) = &mut self.rounding
+        if D == 3
             && row == 0
+            && let Some(rounding) = &mut self.rounding
         {
             rounding.restart();
         }
@@ -227,11 +237,11 @@ impl<const D: usize> StencilOperator<D> {
         let first = (self.margin + row) * self.groups;
         let own = &mut self.own[first * Self::QUADS..];
         match &mut self.rounding {
-            Some(rounding) => {
+            Some(rounding) if D == 3 => {
                 let first = rounding.first_group(row).expect("rows are overwritten in their order");
                 BlocksMut::of(own, rounding.exact_mut(), first, self.groups)
             }
-            None => BlocksMut::of(own, &mut self.later, first, self.groups),
+            _ => BlocksMut::of(own, &mut self.later, first, self.groups),
         }
     }
 
@@ -256,18 +266,21 @@ impl<const D: usize> StencilOperator<D> {
     /// The block of a node, the one in a column of a row, and a neighbour that does not come before it.
     fn block(&self, [row, column]: [usize; 2], neighbour: usize) -> [[f32; D]; D] {
         let (group, lane) = ((self.margin + row) * self.groups + column / LANES, column % LANES);
-        let of = |entry: &dyn Fn(usize) -> f32| std::array::from_fn(|i| std::array::from_fn(|j| entry(i * D + j)));
-        let exact = |numbers: &[f32], block: usize| of(&|k| numbers[block * Self::QUADS + k * LANES + lane]);
-        let Some(later) = (neighbour - Self::CENTRE).checked_sub(1) else { return exact(&self.own, group) };
-        let Some(rounding) = &self.rounding else { return exact(&self.later, place(group, later, self.all_groups())) };
-        match rounding.first_group(row) {
-            Some(first) => exact(rounding.exact(), place(first + column / LANES, later, rounding.groups())),
-            None => {
-                let rounded = &rounded::blocks(&self.later)[place(group, later, self.all_groups())];
-                let entries = rounded::entries::<9, { rounded::QUADS }>(rounded);
-                of(&|k| entries[k].to_array()[lane])
+        let mut numbers = (&self.own[..], group);
+        if let Some(later) = (neighbour - Self::CENTRE).checked_sub(1) {
+            numbers = (&self.later, place(group, later, self.all_groups()));
+            if D == 3
+                && let Some(rounding) = &self.rounding
+            {
+                let Some(first) = rounding.first_group(row) else {
+                    let entries = rounded::entries::<9, { rounded::QUADS }>(&rounded::blocks(numbers.0)[numbers.1]);
+                    return std::array::from_fn(|i| std::array::from_fn(|j| entries[i * D + j].to_array()[lane]));
+                };
+                numbers = (rounding.exact(), place(first + column / LANES, later, rounding.groups()));
             }
         }
+        let first = numbers.1 * Self::QUADS + lane;
+        std::array::from_fn(|i| std::array::from_fn(|j| numbers.0[first + (i * D + j) * LANES]))
     }
 
     /// Groups, with those of the margins.
@@ -335,7 +348,9 @@ impl<const D: usize> StencilOperator<D> {
             for (k, entry) in block.as_flattened().iter().enumerate() {
                 numbers[k * LANES] += entry;
             }
-        } else if let Some(rounding) = &self.rounding {
+        } else if D == 3
+            && let Some(rounding) = &self.rounding
+        {
             rounding.add(place, neighbour - Self::CENTRE - 1, block.as_flattened(), &mut self.own, &mut self.later);
         }
     }

@@ -3,7 +3,7 @@
 //! axis needs at a time: a plane, then a row.
 
 use crate::grid::Grid;
-use crate::stencil::{A_ROW, Blocks, BlocksMut, LANES, Quad, StencilOperator};
+use crate::stencil::{Blocks, BlocksMut, LANES, Quad, StencilOperator, entries};
 use wide::f32x4;
 
 /// How one operator is made from the next finer one, and the memory for what lies between.
@@ -93,9 +93,10 @@ impl<const D: usize> Galerkin<D> {
                 let row = self.row.groups();
                 let mut target = coarse.row_mut::<B, E>(k * coarse_side + j);
                 for i in 0..coarse_side {
-                    for (sum, recipe) in target.slots(i / LANES).zip(self.passes[0].at(i, coarse_side)) {
-                        let block = recipe.sum_at::<D, B, E>(row, LANES + 2 * i);
-                        for (sum, entry) in sum.iter_mut().zip(block) {
+                    for (slot, recipe) in self.passes[0].at(i, coarse_side).iter().enumerate() {
+                        let block = recipe.sum_at::<D, B, E>(&row, LANES + 2 * i);
+                        let (target, step) = target.slot(slot);
+                        for (sum, entry) in target[i / LANES * step].iter_mut().zip(block) {
                             sum[i % LANES] = entry;
                         }
                     }
@@ -122,7 +123,7 @@ impl<const D: usize> Between<D> {
 }
 
 /// A row that is coarse along one axis, another than x, from the rows around `under`, the place of the first group of the
-/// fine row under it.
+/// fine row under it. Slot by slot: what is to be added is then known for the whole row.
 fn combine<const D: usize, const B: usize, const W: usize, const E: usize>(
     recipes: &[Recipe],
     source: Blocks<B, W, E>,
@@ -131,36 +132,53 @@ fn combine<const D: usize, const B: usize, const W: usize, const E: usize>(
     mut target: BlocksMut<B, E>,
 ) {
     let groups = target.own.len();
-    for group in 0..groups {
-        for (block, recipe) in target.slots(group).zip(recipes) {
-            let mut sum = [f32x4::ZERO; B];
-            let place = |route: &Route| (under + group).wrapping_add_signed(route.rows * groups as isize);
-            for route in &recipe.as_stored {
-                let share = f32x4::splat(route.share);
-                for (sum, entry) in sum.iter_mut().zip(source.block(place(route), route.slot)) {
-                    *sum += share * entry;
-                }
+    for (slot, recipe) in recipes.iter().enumerate() {
+        let (target, step) = target.slot(slot);
+        target.iter_mut().step_by(step).for_each(|block| *block = [[0.0; LANES]; B]);
+        let routes = recipe.as_stored.iter().map(|route| (false, route));
+        for (is_transposed, route) in routes.chain(recipe.transposed.iter().map(|route| (true, route))) {
+            // From the group before the row's first on.
+            let before = (under - 1).wrapping_add_signed(route.rows * groups as isize);
+            if route.slot == 0 {
+                add_row::<D, B, B>(target, step, &source.own[before..], 1, is_transposed, route);
+            } else {
+                let (blocks, stride) = source.later(route.slot);
+                add_row::<D, B, W>(target, step, &blocks[before * stride..], stride, is_transposed, route);
             }
-            for route in &recipe.transposed {
-                let (place, share) = (place(route), f32x4::splat(route.share));
-                let block = |place: usize| source.block(place, route.slot);
-                let block = match route.columns {
-                    0 => block(place),
-                    1 => moved(block(place), block(place + 1), |now, next| [now[1], now[2], now[3], next[0]]),
-                    _ => moved(block(place - 1), block(place), |last, now| [last[3], now[0], now[1], now[2]]),
-                };
-                for i in 0..D {
-                    for j in 0..D {
-                        sum[i * D + j] += share * block[j * D + i];
-                    }
-                }
-            }
-            *block = sum.map(|lanes| lanes.to_array());
+        }
+        // What was moved in from the next row.
+        for lanes in &mut target[(groups - 1) * step] {
+            lanes[side % LANES..].fill(0.0);
         }
     }
-    // What was moved in from the next row.
-    for entry in target.slots(groups - 1).flatten() {
-        entry[side % LANES..].fill(0.0);
+}
+
+/// Adds the share of a route to every `step`-th block of a row, from every `stride`-th one of `source`, which begins a group
+/// earlier.
+#[inline(never)]
+fn add_row<const D: usize, const B: usize, const W: usize>(
+    target: &mut [[Quad; B]],
+    step: usize,
+    source: &[[Quad; W]],
+    stride: usize,
+    is_transposed: bool,
+    route: &Route,
+) {
+    let share = f32x4::splat(route.share);
+    let block = |number: usize| entries::<B, W>(&source[number * stride]);
+    for (group, sum) in target.iter_mut().step_by(step).enumerate() {
+        let block = match (is_transposed, route.columns) {
+            (false, _) | (_, 0) => block(group + 1),
+            (_, 1) => moved(block(group + 1), block(group + 2), |now, next| [now[1], now[2], now[3], next[0]]),
+            _ => moved(block(group), block(group + 1), |last, now| [last[3], now[0], now[1], now[2]]),
+        };
+        for i in 0..D {
+            for j in 0..D {
+                let sum = &mut sum[i * D + j];
+                let entry = block[if is_transposed { j * D + i } else { i * D + j }];
+                *sum = (f32x4::from(*sum) + share * entry).to_array();
+            }
+        }
     }
 }
 
@@ -216,15 +234,12 @@ impl Recipe {
     }
 
     /// The block of the coarse node over a column of a row, the row with a group of zeros first.
-    fn sum_at<const D: usize, const B: usize, const E: usize>(&self, row: Blocks<B, B, E>, column: usize) -> [f32; B] {
+    fn sum_at<const D: usize, const B: usize, const E: usize>(&self, row: &Blocks<B, B, E>, column: usize) -> [f32; B] {
         let mut sum = [0.0; B];
         let block = |route: &Route| {
             let place = column.wrapping_add_signed(route.columns);
-            let block = match route.slot {
-                0 => &row.own[place / LANES],
-                1 => &row.next[place / LANES],
-                slot => &row.rows[(slot - 2) / A_ROW][place / LANES][(slot - 2) % A_ROW],
-            };
+            let (blocks, step) = row.slot(route.slot);
+            let block = &blocks[place / LANES * step];
             (block, place % LANES)
         };
         for route in &self.as_stored {

@@ -352,6 +352,29 @@ test("a match in space pauses, goes on and is cancelled", async ({ page }) => {
   await expect(page.getByRole("progressbar")).toHaveCount(0);
 });
 
+test("with Live a match of surfaces begins with every change", async ({ page }) => {
+  await page.goto(SMALL);
+  await finished(page);
+  const status = page.getByRole("status");
+  await page.locator(".settings summary").click();
+  const weight = page.locator("#setting-bending");
+  const off = () => value(page, "mismatch-max");
+  const before = await off();
+  await weight.fill("1");
+  await weight.press("Tab");
+  // Nothing begins of itself.
+  await expect(status).toContainText("settings have changed");
+  const live = page.getByRole("switch", { name: "Live" });
+  await live.click();
+  await expect(live).toBeChecked();
+  await expect(status).toContainText("Fits", { timeout: 45_000 });
+  const stiff = await off();
+  expect(stiff).not.toBe(before);
+  await button(page, "Undo").click();
+  await expect.poll(off, { timeout: 45_000 }).toBe(before);
+  await expect(status).toContainText("Fits");
+});
+
 test("without WebGL a sentence says so, and the match has its numbers", async ({ page }) => {
   await page.addInitScript(() => {
     const get = HTMLCanvasElement.prototype.getContext;

@@ -20,6 +20,16 @@ export function Actions({ session, ways }: Properties) {
         <button type="button" class="primary" onClick={() => session.start()}>
           {actions.match}
         </button>
+        <button
+          type="button"
+          class="switch"
+          role="switch"
+          aria-checked={session.live.value}
+          title={actions.liveHelp}
+          onClick={() => session.setLive(!session.live.value)}
+        >
+          {actions.live}
+        </button>
         <button type="button" disabled={!working} onClick={() => (paused ? session.resume() : session.pause())}>
           {paused ? actions.resume : actions.pause}
         </button>

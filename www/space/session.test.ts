@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { puppetEngine } from "../testing/puppet";
 import { surface } from "./gallery";
 import { type SolidFrame, SpaceSession } from "./session";
@@ -114,6 +114,43 @@ test("two presses, one on each surface, are a pin, which can be undone; other su
   expect(session.step.value.pins).toEqual([]);
   session.undo();
   expect(session.step.value.pins).toEqual([pin]);
+});
+
+test("with Live a match begins with every change, a moment later, and none while it is off or paused", () => {
+  vi.useFakeTimers();
+  const { session, puppet, frame } = begun();
+  session.setLive(true);
+  expect(puppet.starts).toHaveLength(1);
+  frame(true);
+  session.changeSetting(field("membrane"), 3);
+  session.changeSetting(field("membrane"), 2);
+  expect(puppet.starts).toHaveLength(1);
+  vi.runAllTimers();
+  expect(puppet.starts).toHaveLength(2);
+  expect(puppet.starts.at(-1)).toMatchObject({ settings: { membrane: 2 } });
+  frame(true);
+  session.undo();
+  vi.runAllTimers();
+  expect(puppet.starts).toHaveLength(3);
+  frame(false);
+  session.pause();
+  session.commit({ template: made("cube") });
+  vi.runAllTimers();
+  expect(puppet.starts).toHaveLength(3);
+  session.cancel();
+  session.setLive(false);
+  session.commit({ template: made("ellipsoid") });
+  vi.runAllTimers();
+  expect(puppet.starts).toHaveLength(3);
+  vi.useRealTimers();
+});
+
+test("switching Live on begins nothing where there is a match of what is chosen", () => {
+  const { session, puppet, frame } = begun();
+  session.start();
+  frame(true);
+  session.setLive(true);
+  expect(puppet.starts).toHaveLength(1);
 });
 
 test("a refusal is said as a sentence and ends the run", () => {

@@ -63,6 +63,8 @@ export class SpaceSession {
   private readonly restarting = new Delay(RESTART_MILLIS);
   private sent: Step | null = null;
 
+  /** Whether a match begins with every change. */
+  readonly live = signal(false);
   readonly problem = signal<string | null>(null);
   readonly loaded = signal(false);
   /** Whether the result belongs to the run under way, not to the one before. */
@@ -148,6 +150,13 @@ export class SpaceSession {
     this.solver.start(mesh(reference), mesh(template), { ...settings, pins: flat(pins) });
   }
 
+  /** Switching on begins a match, unless there is one of what is chosen. */
+  setLive(on: boolean): void {
+    this.live.value = on;
+    if (!on || isWorking(this.state.value)) return;
+    if (this.result.value === null || this.stale.value) this.start();
+  }
+
   pause(): void {
     if (this.advance("pause")) this.solver.pause();
   }
@@ -204,9 +213,11 @@ export class SpaceSession {
     this.solver.dispose();
   }
 
-  /** A run under way starts again with what has changed; without one, the user decides. */
+  /** With Live, or while a run is under way, a match begins with what has changed; otherwise the user decides. */
   private follow(): void {
-    if (isWorking(this.state.value) && !isPaused(this.state.value)) this.restarting.start(() => this.start());
+    const phase = this.state.value;
+    if (isPaused(phase)) return;
+    if (this.live.value || isWorking(phase)) this.restarting.start(() => this.start());
   }
 
   private receive(frame: SolidFrame): void {

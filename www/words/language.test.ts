@@ -42,6 +42,7 @@ function leaves(value: unknown, path = ""): Leaf[] {
 /** What the languages share: signs, formats, and what is no sentence. */
 const SAME = [
   "/en/actions/live",
+  "/space/actions/live",
   "/en/status/",
   "/later/scales/mismatch",
   "/later/past/name",

@@ -19,6 +19,8 @@ export const space = page("space", {
   file: "File",
   actions: {
     match: "Match",
+    live: "Live",
+    liveHelp: "A match begins whenever you change a surface, a pin or a setting",
     pause: "Pause",
     resume: "Resume",
     cancel: "Cancel",

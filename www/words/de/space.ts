@@ -26,6 +26,8 @@ export const space: Book["space"] = {
   file: "Datei",
   actions: {
     match: "Abgleichen",
+    live: "Live",
+    liveHelp: "Ein Abgleich beginnt, sobald Sie eine Fläche, eine Nadel oder eine Einstellung ändern",
     pause: "Anhalten",
     resume: "Fortsetzen",
     cancel: "Abbrechen",

@@ -85,14 +85,14 @@ impl<const D: usize> Hypersurface<D> {
 
 impl Hypersurface<3> {
     /// The same surface with triangles whose edges are no longer than `longest`, each cut across its longest edge until they
-    /// are. Neighbours cut a common edge alike.
-    pub fn cut(&self, longest: f64) -> Self {
+    /// are, and of which triangle each is a part. Neighbours cut a common edge alike. The points there are come first.
+    pub fn cut(&self, longest: f64) -> (Self, Vec<u32>) {
         let mut points = self.points.clone();
         let mut middles = Numbers::default();
         let first_middle = points.len();
-        let mut simplices = Vec::with_capacity(self.simplices.len());
-        let mut rest = self.simplices.clone();
-        while let Some(corners) = rest.pop() {
+        let (mut simplices, mut wholes) = (Vec::with_capacity(self.simplices.len()), Vec::new());
+        let mut rest: Vec<([u32; 3], u32)> = self.simplices.iter().copied().zip(0..).collect();
+        while let Some((corners, whole)) = rest.pop() {
             let square = |k: usize| {
                 let [a, b] = [corners[k], corners[(k + 1) % 3]].map(|corner| DVec3::from(points[corner as usize]));
                 a.distance_squared(b)
@@ -100,6 +100,7 @@ impl Hypersurface<3> {
             let along = (0..3).max_by(|&a, &b| square(a).total_cmp(&square(b))).unwrap_or(0);
             if square(along) <= longest * longest {
                 simplices.push(corners);
+                wholes.push(whole);
                 continue;
             }
             let [a, b, c] = [0, 1, 2].map(|k| corners[(along + k) % 3]);
@@ -108,9 +109,9 @@ impl Hypersurface<3> {
                 let [a, b] = [a, b].map(|corner| DVec3::from(points[corner as usize]));
                 points.push(a.midpoint(b).to_array());
             }
-            rest.extend([[a, middle as u32, c], [middle as u32, b, c]]);
+            rest.extend([[a, middle as u32, c], [middle as u32, b, c]].map(|part| (part, whole)));
         }
-        Self { points, simplices }
+        (Self { points, simplices }, wholes)
     }
 }
 

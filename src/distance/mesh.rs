@@ -1,8 +1,11 @@
 //! The signed distance of what a triangle mesh encloses.
 
 mod closed;
-mod coins;
+mod edges;
+
 mod inside;
+mod regions;
+mod scan;
 mod spread;
 
 use super::SignedDistance;
@@ -46,15 +49,15 @@ impl SignedDistance<3> {
         if !inside.contains(&true) {
             return Err(ShapeError::TooSmall { cells: grid.cells() }.into());
         }
-        let outline = Arc::new(without_inner_parts(&mesh.surface.cut(grid.spacing()), grid, &inside));
-        let mut values = distances(grid, &outline);
+        let [outline, surface] = without_inner_parts(&mesh.surface, grid, &inside);
+        let mut values = distances(grid, &surface);
         for (value, inside) in values.iter_mut().zip(inside) {
             if inside && *value > 0.0 {
                 *value = -*value;
             }
         }
         let whole = shadows(&outline);
-        let distance = Self { grid, values, outline: Some(outline) };
+        let distance = Self { grid, values, outline: Some(Arc::new(outline)) };
         distance.check_resolved(whole).map_err(|problem| distance.with_place(problem))?;
         Ok(distance)
     }
@@ -106,19 +109,33 @@ fn check(grid: Grid<3>, positions: &[[f64; 3]], indices: &[[u32; 3]]) -> Result<
     Ok(super::check_clearance(low, high, grid.cells())?)
 }
 
-/// The pieces around which some node lies outside: where bodies cross, what one has inside the other is no part of the
-/// outline and has no distance of its own.
-fn without_inner_parts(pieces: &Hypersurface<3>, grid: Grid<3>, inside: &[bool]) -> Hypersurface<3> {
-    let is_outer = |middle: &[f64; 3]| {
-        let (cell, _) = grid.locate(middle);
+/// The pieces, no longer than cells, around which some node lies outside: where bodies cross, what one has inside the other is no
+/// part of the outline and has no distance of its own. And the same with the triangles as they were where all of them is left.
+fn without_inner_parts(surface: &Hypersurface<3>, grid: Grid<3>, inside: &[bool]) -> [Hypersurface<3>; 2] {
+    let (pieces, wholes) = surface.cut(grid.spacing());
+    let is_outer = |middle: [f64; 3]| {
+        let (cell, _) = grid.locate(&middle);
         // From one node before the cell to one behind it.
         let first = cell.map(|i| i.saturating_sub(1));
         let last = cell.map(|i| (i + 2).min(grid.cells()));
         (first[2]..=last[2])
             .any(|k| (first[1]..=last[1]).any(|j| (first[0]..=last[0]).any(|i| !inside[grid.node([i, j, k])])))
     };
-    let kept = pieces.middles().zip(pieces.simplices()).filter(|((middle, _), _)| is_outer(middle));
-    Hypersurface::new(pieces.points().to_vec(), kept.map(|(_, corners)| *corners).collect())
+    let mut is_whole = vec![true; surface.simplices().len()];
+    let mut kept = Vec::with_capacity(wholes.len());
+    for (((middle, _), corners), whole) in pieces.middles().zip(pieces.simplices()).zip(wholes) {
+        if is_outer(middle) {
+            kept.push((*corners, whole));
+        } else {
+            is_whole[whole as usize] = false;
+        }
+    }
+    let wholes =
+        surface.simplices().iter().zip(&is_whole).filter(|(_, is_whole)| **is_whole).map(|(corners, _)| *corners);
+    let parts = kept.iter().filter(|(_, whole)| !is_whole[*whole as usize]).map(|(corners, _)| *corners);
+    let points = pieces.points().to_vec();
+    [kept.iter().map(|(corners, _)| *corners).collect(), wholes.chain(parts).collect()]
+        .map(|simplices| Hypersurface::new(points.clone(), simplices))
 }
 
 /// Σ_axis ∫ |n_axis|.

@@ -6,6 +6,7 @@ mod cpu;
 mod device;
 #[cfg(feature = "gpu")]
 mod gpu;
+mod jets;
 #[cfg(any(test, feature = "gpu"))]
 mod shaders;
 pub mod step;

@@ -156,6 +156,7 @@ impl<const D: usize> Cascade<D> {
         if self.is_about_to_refine() {
             let displacement = prolongate(self.grid(), self.level.displacement());
             self.past_evaluations += self.progress.evaluations;
+            self.level.rest();
             let number = self.level.number + 1;
             self.level = Level::new(number, &self.settings, &self.device, &self.shapes, &self.ties, Some(displacement));
             self.level.unfold(&self.settings).await;
@@ -174,6 +175,9 @@ impl<const D: usize> Cascade<D> {
                 return self.progress();
             }
             self.progress.stop = self.progress.stop.or(Some(Stop::Refined));
+        }
+        if self.progress().stop.is_some() {
+            self.level.rest();
         }
         self.progress()
     }

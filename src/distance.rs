@@ -27,7 +27,8 @@ pub const CLEARANCE: f64 = 2.0;
 #[derive(Clone, Debug)]
 pub struct SignedDistance<const D: usize> {
     grid: Grid<D>,
-    values: Vec<f64>,
+    /// Copies share them.
+    values: Arc<Vec<f64>>,
     /// The outline as it was given, where it was; of nodal values it is their zero set.
     outline: Option<Arc<Hypersurface<D>>>,
 }
@@ -48,7 +49,7 @@ impl<const D: usize> SignedDistance<D> {
     /// If there is not one value a node.
     pub fn from_nodal(grid: Grid<D>, values: Vec<f64>) -> Self {
         assert_eq!(values.len(), grid.node_count(), "one value a node");
-        Self { grid, values, outline: None }
+        Self { grid, values: Arc::new(values), outline: None }
     }
 
     /// The outline: as it was given, or the zero set of the values where only these are known.
@@ -57,22 +58,24 @@ impl<const D: usize> SignedDistance<D> {
         self.outline.clone().unwrap_or_else(zero_set)
     }
 
-    /// The same on `cells` cells a side: injection at the common nodes if coarser, multilinear interpolation if finer.
+    /// The same on `cells` cells a side, sharing the values if these are its own: injection at the common nodes if coarser, multilinear interpolation if finer.
     ///
     /// # Panics
     ///
     /// Unless one number of cells divides the other.
     pub fn to_cells(&self, cells: usize) -> Self {
         let (from, to) = (self.grid, Grid::<D>::new(cells));
-        if cells <= from.cells() {
+        if cells == from.cells() {
+            return self.clone();
+        }
+        if cells < from.cells() {
             assert!(from.cells().is_multiple_of(cells), "{cells} cells are not nested in {}", from.cells());
             let step = from.cells() / cells;
             let values = (0..to.node_count())
                 .map(|node| self.values[from.node(to.node_index(node).map(|i| i * step))])
                 .collect();
             // Details that a coarser grid does not see are no part of what it looks at.
-            let outline = if cells == from.cells() { self.outline.clone() } else { None };
-            return Self { grid: to, values, outline };
+            return Self { grid: to, values: Arc::new(values), outline: None };
         }
         assert!(cells.is_multiple_of(from.cells()), "{} cells are not nested in {cells}", from.cells());
         let step = cells / from.cells();
@@ -95,7 +98,7 @@ impl<const D: usize> SignedDistance<D> {
                     .sum()
             })
             .collect();
-        Self { grid: to, values, outline: self.outline.clone() }
+        Self { grid: to, values: Arc::new(values), outline: self.outline.clone() }
     }
 
     /// Whether the body keeps [`CLEARANCE`] cells of a grid of `cells` cells a side from the border of the box.

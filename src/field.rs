@@ -85,53 +85,70 @@ pub struct Jet<const D: usize> {
     pub curvature: Matrix<f64, D>,
 }
 
-/// Gradients and second derivatives at all nodes by a least-squares quadratic over the neighbours within `radius` cells.
+/// Gradients and second derivatives at all nodes, see [`QuadraticFit`].
+///
+/// # Panics
+/// As [`QuadraticFit::new`], or if there is not one value a node.
+pub fn quadratic_fit<const D: usize>(grid: Grid<D>, values: &[f64], radius: f64) -> Vec<Jet<D>> {
+    assert_eq!(values.len(), grid.node_count());
+    let fit = QuadraticFit::new(grid, radius);
+    (0..grid.node_count()).map(|node| fit.at(values, grid.node_index(node))).collect()
+}
+
+/// Gradients and second derivatives at nodes by a least-squares quadratic over the neighbours within some cells.
 ///
 /// The polynomial c + g·o + ½ o·H·o is fitted, unweighted, to the values at all integer offsets |o| ≤ radius.
 /// Near the boundary the stencil's centre moves inside and the polynomial is differentiated at the node.
 /// `value` stays the nodal value, not the polynomial's.
-///
-/// # Panics
-/// If the stencil does not determine a quadratic (radius < √2) or does not fit the grid.
-pub fn quadratic_fit<const D: usize>(grid: Grid<D>, values: &[f64], radius: f64) -> Vec<Jet<D>> {
-    assert_eq!(values.len(), grid.node_count());
-    let reach = radius.floor() as usize;
-    assert!(2 * reach <= grid.cells(), "the stencil does not fit {} cells", grid.cells());
-    let stencil = Stencil::<D>::new(radius);
-    let strides: Vec<isize> =
-        stencil.offsets.iter().map(|o| (0..D).map(|axis| o[axis] * grid.stride(axis) as isize).sum()).collect();
-    let n = grid.cells() as f64;
+pub struct QuadraticFit<const D: usize> {
+    grid: Grid<D>,
+    reach: usize,
+    stencil: Stencil<D>,
+    strides: Vec<isize>,
+}
 
-    (0..grid.node_count())
-        .map(|node| {
-            let index = grid.node_index(node);
-            let centre = index.map(|i| i.clamp(reach, grid.cells() - reach));
-            let centre_node = grid.node(centre) as isize;
-            let mut gradient = [0.0; D];
-            let mut curvature = [[0.0; D]; D];
-            for (row, &stride) in stencil.weights.iter().zip(&strides) {
-                let value = values[(centre_node + stride) as usize];
-                let mut k = D;
-                for a in 0..D {
-                    gradient[a] += row[a] * value;
-                    for b in a..D {
-                        curvature[a][b] += row[k] * value;
-                        k += 1;
-                    }
+impl<const D: usize> QuadraticFit<D> {
+    /// # Panics
+    /// If the stencil does not determine a quadratic (radius < √2) or does not fit the grid.
+    pub fn new(grid: Grid<D>, radius: f64) -> Self {
+        let reach = radius.floor() as usize;
+        assert!(2 * reach <= grid.cells(), "the stencil does not fit {} cells", grid.cells());
+        let stencil = Stencil::<D>::new(radius);
+        let strides =
+            stencil.offsets.iter().map(|o| (0..D).map(|axis| o[axis] * grid.stride(axis) as isize).sum()).collect();
+        Self { grid, reach, stencil, strides }
+    }
+
+    /// At one node, from the values at all.
+    pub fn at(&self, values: &[f64], index: [usize; D]) -> Jet<D> {
+        let n = self.grid.cells() as f64;
+        let centre = index.map(|i| i.clamp(self.reach, self.grid.cells() - self.reach));
+        let centre_node = self.grid.node(centre) as isize;
+        let mut gradient = [0.0; D];
+        let mut curvature = [[0.0; D]; D];
+        for (row, &stride) in self.stencil.weights.iter().zip(&self.strides) {
+            let value = values[(centre_node + stride) as usize];
+            let mut k = D;
+            for a in 0..D {
+                gradient[a] += row[a] * value;
+                for b in a..D {
+                    curvature[a][b] += row[k] * value;
+                    k += 1;
                 }
             }
-            for a in 0..D {
-                for b in 0..a {
-                    curvature[a][b] = curvature[b][a];
-                }
+        }
+        for a in 0..D {
+            for b in 0..a {
+                curvature[a][b] = curvature[b][a];
             }
-            for a in 0..D {
-                let shift: f64 = (0..D).map(|b| curvature[a][b] * (index[b] as f64 - centre[b] as f64)).sum();
-                gradient[a] = (gradient[a] + shift) * n;
-            }
-            Jet { value: values[node], gradient, curvature: curvature.map(|row| row.map(|x| x * n * n)) }
-        })
-        .collect()
+        }
+        for a in 0..D {
+            let shift: f64 = (0..D).map(|b| curvature[a][b] * (index[b] as f64 - centre[b] as f64)).sum();
+            gradient[a] = (gradient[a] + shift) * n;
+        }
+        let value = values[self.grid.node(index)];
+        Jet { value, gradient, curvature: curvature.map(|row| row.map(|x| x * n * n)) }
+    }
 }
 
 /// Weights that take the values around a node to the coefficients of the fitted quadratic.

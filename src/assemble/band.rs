@@ -1,9 +1,10 @@
 //! What the shell terms need of both shapes, prepared once a level.
 
+use super::jets::{Cell, Jets};
 use crate::distance::SignedDistance;
 use crate::energy::{Functional, GRADIENT, ReferenceJet, TemplateJet};
-use crate::field::{CornerWeights, quadratic_fit};
-use crate::grid::{Grid, MAX_CORNERS};
+use crate::field::CornerWeights;
+use crate::grid::Grid;
 use crate::quadrature::Rule;
 use crate::small::{Scalar, Vector, dot, frame, frobenius, normal_to};
 use std::ops::Range;
@@ -35,68 +36,74 @@ impl<S: Scalar, const D: usize> Band<S, D> {
     pub fn new<const M: usize>(functional: &Functional, reference: &SignedDistance<D>, rule: &Rule<D, M>) -> Self {
         let points = Rule::<D, M>::POINTS;
         let grid = reference.grid();
-        let jets = quadratic_fit(grid, reference.values(), functional.fit_radius);
+        let jets = Jets::new(reference, functional.fit_radius);
         let offsets = grid.corner_offsets();
         let volume = grid.spacing().powi(D as i32);
-
-        let mut cells = Vec::new();
-        let mut rows: Vec<f64> = Vec::new();
-        let mut cell_rows = Vec::with_capacity(points * Self::STRIDE);
-        for cell in 0..grid.cell_count() {
-            let base = grid.lowest_node(cell);
-            let values = || (0..Grid::<D>::CORNERS).map(|corner| jets[base + offsets[corner]].value);
-            // The interpolant lies between its nodal values.
-            let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-            if low >= functional.bandwidth || high <= -functional.bandwidth {
-                continue;
-            }
-            cell_rows.clear();
-            let mut touched = false;
-            for point in 0..points {
-                let mut value = 0.0;
-                let mut gradient = [0.0; D];
-                let mut curvature = [[0.0; D]; D];
-                for corner in 0..Grid::<D>::CORNERS {
-                    let (share, jet) = (rule.shape[point][corner], &jets[base + offsets[corner]]);
-                    value += share * jet.value;
-                    for a in 0..D {
-                        gradient[a] += share * jet.gradient[a];
-                        for b in 0..D {
-                            curvature[a][b] += share * jet.curvature[a][b];
-                        }
-                    }
-                }
-                let weight = functional.cutoff.weight(value / functional.bandwidth) * rule.weight[point] * volume;
-                touched |= weight > 0.0;
-                push_sample(&mut cell_rows, weight, value, gradient, &curvature);
-            }
-            if touched {
-                cells.push(base);
-                rows.extend_from_slice(&cell_rows);
-            }
-        }
+        let candidates: Vec<usize> = (0..grid.cell_count())
+            .filter(|&cell| {
+                let base = grid.lowest_node(cell);
+                let values = || (0..Grid::<D>::CORNERS).map(|corner| reference.values()[base + offsets[corner]]);
+                // The interpolant lies between its nodal values.
+                let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+                low < functional.bandwidth && high > -functional.bandwidth
+            })
+            .collect();
 
         let per_cell = points * Self::STRIDE;
-        let (mut packs, mut samples, mut layers) = (Vec::new(), Vec::new(), vec![0]);
-        let mut first = 0;
-        for layer in 0..Self::layer_count(grid) {
-            let nodes = Self::layer_nodes(grid, layer);
-            let end = first + cells[first..].partition_point(|base| nodes.contains(base));
-            for pack in (first..end).step_by(S::LANES) {
-                let lane_cell = |lane: usize| (pack + lane).min(end - 1);
-                packs.push(std::array::from_fn(|lane| cells[lane_cell(lane)]));
-                for k in 0..per_cell {
-                    samples.push(S::gather(|lane| {
-                        // A layer's last pack that is not full repeats its last cell, without weight.
-                        let spare = pack + lane >= end && k % Self::STRIDE == 0;
-                        if spare { 0.0 } else { rows[lane_cell(lane) * per_cell + k] }
-                    }));
+        let layers = Self::layer_count(grid);
+        let most = candidates.len() / S::LANES + layers;
+        let (packs, samples) = (Vec::with_capacity(most), Vec::with_capacity(most * per_cell));
+        let mut band = Self { packs, layers: vec![0], samples };
+        // Of the cells of a pack that is not full yet.
+        let (mut nodes, mut rows): (Vec<usize>, Vec<f64>) = (Vec::new(), Vec::with_capacity(S::LANES * per_cell));
+        let mut begun = 0;
+        for layer in 0..layers {
+            let end = candidates.partition_point(|&cell| cell < (layer + 1) * (grid.cell_count() / layers));
+            for cell in &candidates[begun..end] {
+                let first = rows.len();
+                let jet = jets.cell(grid.cell_index(*cell));
+                let mut touched = false;
+                for point in 0..points {
+                    let mut value = 0.0;
+                    let mut gradient = [0.0; D];
+                    let mut curvature = [[0.0; D]; D];
+                    for corner in 0..Grid::<D>::CORNERS {
+                        let (share, row) = (rule.shape[point][corner], jets.corner(jet, corner));
+                        value += share * row[0];
+                        let mut k = 1 + D;
+                        for a in 0..D {
+                            gradient[a] += share * row[1 + a];
+                            for b in a..D {
+                                curvature[a][b] += share * row[k];
+                                k += 1;
+                            }
+                        }
+                    }
+                    for a in 0..D {
+                        for b in 0..a {
+                            curvature[a][b] = curvature[b][a];
+                        }
+                    }
+                    let weight = functional.cutoff.weight(value / functional.bandwidth) * rule.weight[point] * volume;
+                    touched |= weight > 0.0;
+                    push_sample(&mut rows, weight, value, gradient, &curvature);
+                }
+                if !touched {
+                    rows.truncate(first);
+                    continue;
+                }
+                nodes.push(grid.lowest_node(*cell));
+                if nodes.len() == S::LANES {
+                    band.push_pack(&mut nodes, &mut rows);
                 }
             }
-            first = end;
-            layers.push(packs.len());
+            if !nodes.is_empty() {
+                band.push_pack(&mut nodes, &mut rows);
+            }
+            begun = end;
+            band.layers.push(band.packs.len());
         }
-        Self { packs, layers, samples }
+        band
     }
 
     /// Layers of cells that are gone through one after the other.
@@ -113,6 +120,21 @@ impl<S: Scalar, const D: usize> Band<S, D> {
     /// The packs of a layer.
     pub fn layer(&self, layer: usize) -> Range<usize> {
         self.layers[layer]..self.layers[layer + 1]
+    }
+
+    /// Adds cells by their lowest nodes and their samples one after the other, and empties both. A layer's last pack that is not full repeats its
+    /// last cell, without weight.
+    fn push_pack(&mut self, nodes: &mut Vec<usize>, rows: &mut Vec<f64>) {
+        let (last, per_cell) = (nodes.len() - 1, rows.len() / nodes.len());
+        self.packs.push(std::array::from_fn(|lane| nodes[lane.min(last)]));
+        self.samples.extend((0..per_cell).map(|k| {
+            S::gather(|lane| {
+                let is_spare = lane > last && k % Self::STRIDE == 0;
+                if is_spare { 0.0 } else { rows[lane.min(last) * per_cell + k] }
+            })
+        }));
+        nodes.clear();
+        rows.clear();
     }
 
     /// With M points an axis, as it was made.
@@ -187,28 +209,14 @@ impl<S: Scalar, const D: usize> ReferenceSample<S, D> {
     }
 }
 
-/// The template's distance and fitted second derivative at the nodes, to be sampled anywhere.
+/// The template's distance and fitted second derivative, to be sampled anywhere.
 pub(super) struct TemplateField<const D: usize> {
-    grid: Grid<D>,
-    offsets: [usize; MAX_CORNERS],
-    /// By node: the distance, then the second derivative's upper triangle.
-    pub values: Vec<f64>,
+    pub jets: Jets<D>,
 }
 
 impl<const D: usize> TemplateField<D> {
-    const STRIDE: usize = 1 + D + D * (D + 1) / 2;
-
     pub fn new(template: &SignedDistance<D>, fit_radius: f64) -> Self {
-        let grid = template.grid();
-        let mut values = Vec::with_capacity(grid.node_count() * Self::STRIDE);
-        for jet in quadratic_fit(grid, template.values(), fit_radius) {
-            values.push(jet.value);
-            values.extend_from_slice(&jet.gradient);
-            for a in 0..D {
-                values.extend_from_slice(&jet.curvature[a][a..]);
-            }
-        }
-        Self { grid, offsets: grid.corner_offsets(), values }
+        Self { jets: Jets::new(template, fit_radius) }
     }
 
     /// The jet at a point a lane. Beyond the box the distance goes on as the boundary cell's polynomial, while the
@@ -216,9 +224,9 @@ impl<const D: usize> TemplateField<D> {
     #[inline(always)]
     pub fn sample<S: Scalar, const ORDER: u8>(&self, point: &Vector<S, D>) -> TemplateJet<S, D> {
         let (zero, one) = (S::zero(), S::splat(1.0));
-        let cells = S::splat(self.grid.cells() as f64);
+        let cells = S::splat(self.jets.grid().cells() as f64);
         let last = cells - S::splat(0.5);
-        let mut base = [0; 2];
+        let mut places = [[0; D]; 2];
         let mut local = [zero; D];
         let mut beyond = zero;
         for axis in (0..D).rev() {
@@ -226,8 +234,8 @@ impl<const D: usize> TemplateField<D> {
             // Rounded down this is the cell, the last one for its upper end.
             let held = scaled.max(zero).min(last);
             let index = |lane| held.lane(lane) as i32;
-            for (lane, base) in base.iter_mut().enumerate().take(S::LANES) {
-                *base = *base * self.grid.side() + index(lane) as usize;
+            for (lane, place) in places.iter_mut().enumerate().take(S::LANES) {
+                place[axis] = index(lane) as usize;
             }
             local[axis] = scaled - S::gather(|lane| f64::from(index(lane)));
             beyond += local[axis].max(one) - one - local[axis].min(zero);
@@ -252,11 +260,9 @@ impl<const D: usize> TemplateField<D> {
             curvature: [[zero; D]; D],
             curvature_slope: [[[zero; D]; D]; D],
         };
+        let found: [Cell<'_>; 2] = std::array::from_fn(|lane| self.jets.cell(places[lane.min(S::LANES - 1)]));
         for corner in 0..Grid::<D>::CORNERS {
-            let rows: [&[f64]; 2] = std::array::from_fn(|lane| {
-                let lane = lane.min(S::LANES - 1);
-                &self.values[(base[lane] + self.offsets[corner]) * Self::STRIDE..][..Self::STRIDE]
-            });
+            let rows = found.map(|cell| self.jets.corner(cell, corner));
             let distance = S::gather(|lane| rows[lane][0]);
             jet.distance += weights.value[corner] * distance;
             if ORDER >= GRADIENT {

@@ -59,15 +59,25 @@ impl<const D: usize> Level<D> {
     ///
     /// A level may end within rounding of a fold, and the interpolant's determinants are rounded differently.
     pub async fn unfold(&mut self, settings: &Settings) {
-        let given = self.displacement().to_vec();
-        let mut displacement = given.clone();
         let mut share = f64::EPSILON;
-        while share < 1.0 && !self.assembler.energy(&displacement).await.is_admissible() {
+        let mut nearer: Option<Vec<f64>> = None;
+        while share < 1.0 {
+            let displacement = nearer.as_deref().unwrap_or(self.minimizer.displacement());
+            if self.assembler.energy(displacement).await.is_admissible() {
+                break;
+            }
             share = (4.0 * share).min(1.0);
-            displacement = given.iter().map(|u| (1.0 - share) * u).collect();
+            nearer = Some(self.displacement().iter().map(|u| (1.0 - share) * u).collect());
         }
-        if share > f64::EPSILON {
+        if let Some(displacement) = nearer {
             self.restart(settings, displacement);
+        }
+    }
+
+    /// Gives back what only further iterations would need.
+    pub fn rest(&mut self) {
+        if let AnyMinimizer::Newton(minimizer) = &mut self.minimizer {
+            minimizer.rest();
         }
     }
 

@@ -57,7 +57,7 @@ impl SignedDistance<3> {
             }
         }
         let whole = shadows(&outline);
-        let distance = Self { grid, values, outline: Some(Arc::new(outline)) };
+        let distance = Self { grid, values: Arc::new(values), outline: Some(Arc::new(outline)) };
         distance.check_resolved(whole).map_err(|problem| distance.with_place(problem))?;
         Ok(distance)
     }

@@ -48,7 +48,8 @@ impl SignedDistance<2> {
             return Err(ShapeError::TooSmall { cells: grid.cells() });
         }
         let outline = Hypersurface::from_segments(segments, SHORTEST * grid.spacing(), grid.spacing());
-        let distance = Self { grid, values: distances(grid, segments, &inside), outline: Some(Arc::new(outline)) };
+        let values = Arc::new(distances(grid, segments, &inside));
+        let distance = Self { grid, values, outline: Some(Arc::new(outline)) };
         distance.check_resolved(segments.iter().map(|[a, b]| (*b - *a).abs().element_sum()).sum())?;
         Ok(distance)
     }

@@ -24,9 +24,9 @@ const LAST_SHIFT: f32 = 1e12;
 pub struct Newton<const D: usize> {
     multigrid: Multigrid<D>,
     pub(super) displacement: Vec<f64>,
+    /// The direction, then what is tried along it.
     trial: Vec<f64>,
     gradient: Vec<f64>,
-    direction: Vec<f64>,
     pub(super) course: Course,
 }
 
@@ -121,7 +121,6 @@ impl<const D: usize> Newton<D> {
             displacement,
             trial: vec![0.0; count],
             gradient: vec![0.0; count],
-            direction: vec![0.0; count],
             course: Course::new(tolerance),
         }
     }
@@ -133,6 +132,12 @@ impl<const D: usize> Newton<D> {
         self.course.restart();
     }
 
+    /// Gives back what only further iterations would need.
+    pub fn rest(&mut self) {
+        self.multigrid = Multigrid::new(Grid::of_level(1));
+        (self.trial, self.gradient) = Default::default();
+    }
+
     /// Solves for the direction and goes along it: the whole step, or halved until the energy falls enough. None, and
     /// nothing has moved, if it does not. `gradient` holds ∇E.
     async fn advance(
@@ -142,17 +147,17 @@ impl<const D: usize> Newton<D> {
         progress: &mut Progress,
     ) -> Option<Step> {
         progress.evaluations += 1;
-        self.multigrid.solve(&self.gradient, FORCING, MOST_LINEAR_STEPS, &mut self.direction);
-        // `direction` solves H d = +∇E: the way down is against it.
-        let slope = -inner(&self.gradient, &self.direction);
+        self.multigrid.solve(&self.gradient, FORCING, MOST_LINEAR_STEPS, &mut self.trial);
+        // This solves H d = +∇E: the way down is against it.
+        let slope = -inner(&self.gradient, &self.trial);
         if slope >= 0.0 || slope.is_nan() {
             return None;
         }
+        for (t, u) in self.trial.iter_mut().zip(&self.displacement) {
+            *t = u - *t;
+        }
         let mut step = 1.0;
         for _ in 0..=MOST_HALVINGS {
-            for (t, (u, d)) in self.trial.iter_mut().zip(self.displacement.iter().zip(&self.direction)) {
-                *t = u - step * d;
-            }
             let evaluation = assembler.energy(&self.trial).await;
             progress.evaluations += 1;
             if is_enough(&before, &evaluation, step, slope) {
@@ -161,6 +166,9 @@ impl<const D: usize> Newton<D> {
                 return Some(Step { whole: step == 1.0, decrease: before.total() - evaluation.total() });
             }
             step *= 0.5;
+            for (t, u) in self.trial.iter_mut().zip(&self.displacement) {
+                *t = 0.5 * (u + *t);
+            }
         }
         None
     }

@@ -32,6 +32,11 @@ impl<const D: usize> Resident<D> {
         self.course.restart();
     }
 
+    /// Gives back what only further iterations would need.
+    pub fn rest(&mut self) {
+        self.here = None;
+    }
+
     /// An iteration with the assembler; None, with nothing changed but the shift, if it does not keep the displacement.
     async fn step_away(&mut self, assembler: &mut impl Assembler<D>) -> Option<Progress> {
         let mut progress = self.course.progress();

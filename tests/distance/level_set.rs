@@ -97,6 +97,7 @@ fn a_coarser_grid_takes_the_common_nodes_and_a_finer_one_interpolates() {
         assert_eq!(*value, distance.values()[distance.grid().node(index)]);
     }
     assert_eq!(distance.to_cells(256).to_cells(64).values(), distance.values());
+    assert!(std::ptr::eq(distance.to_cells(64).values(), distance.values()), "the values of the same grid are shared");
 
     let grid = Grid::<3>::new(8);
     let trilinear = |p: [f64; 3]| (p[0] - 0.5) * (p[1] - 0.4) + p[2] - 0.5 + 0.1 * p[0] * p[1] * p[2];

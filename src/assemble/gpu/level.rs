@@ -20,7 +20,7 @@ pub(super) struct Level {
 impl Level {
     pub fn new<const D: usize>(gpu: &Gpu, twin: &CpuAssembler<D>) -> Self {
         let node_bytes = twin.grid.node_count() * Upload::<D>::STRIDE * 4;
-        let template: Vec<f32> = twin.template.values.iter().map(|&value| value as f32).collect();
+        let template: Vec<f32> = twin.template.jets.all().map(|value| value as f32).collect();
         let weights: Vec<f32> = twin.volume_weight.iter().map(|&weight| weight as f32).collect();
         Self {
             functional: Buffer::filled(gpu, BufferUsages::UNIFORM, &functional_of(twin)),

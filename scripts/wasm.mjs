@@ -31,7 +31,7 @@ const CODE = [
   "-Cno-vectorize-loops",
   "-Cllvm-args=-unroll-runtime=false",
   "-Cllvm-args=-unroll-allow-partial=false",
-  "-Cllvm-args=-inline-threshold=75",
+  "-Cllvm-args=-inline-threshold=50",
 ];
 
 /** Builds the solver for the page; with nothing changed it takes a fraction of a second. */

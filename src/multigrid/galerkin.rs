@@ -27,18 +27,15 @@ struct Between<const D: usize> {
 struct Pass([Vec<Recipe>; 3]);
 
 /// The fine blocks whose weighted sum is a coarse block.
-#[derive(Default)]
-struct Recipe {
-    as_stored: Vec<Route>,
-    /// Their transposes are meant.
-    transposed: Vec<Route>,
-}
+struct Recipe(Vec<Route>);
 
 struct Route {
     /// From the row and the column of the fine node under the coarse node.
     rows: isize,
     columns: isize,
     slot: usize,
+    /// The other of the two nodes stores the block.
+    is_transposed: bool,
     share: f32,
 }
 
@@ -135,15 +132,14 @@ fn combine<const D: usize, const B: usize, const W: usize, const E: usize>(
     for (slot, recipe) in recipes.iter().enumerate() {
         let (target, step) = target.slot(slot);
         target.iter_mut().step_by(step).for_each(|block| *block = [[0.0; LANES]; B]);
-        let routes = recipe.as_stored.iter().map(|route| (false, route));
-        for (is_transposed, route) in routes.chain(recipe.transposed.iter().map(|route| (true, route))) {
+        for route in &recipe.0 {
             // From the group before the row's first on.
             let before = (under - 1).wrapping_add_signed(route.rows * groups as isize);
             if route.slot == 0 {
-                add_row::<D, B, B>(target, step, &source.own[before..], 1, is_transposed, route);
+                add_row::<D, B, B>(target, step, &source.own[before..], 1, route);
             } else {
                 let (blocks, stride) = source.later(route.slot);
-                add_row::<D, B, W>(target, step, &blocks[before * stride..], stride, is_transposed, route);
+                add_row::<D, B, W>(target, step, &blocks[before * stride..], stride, route);
             }
         }
         // What was moved in from the next row.
@@ -161,13 +157,12 @@ fn add_row<const D: usize, const B: usize, const W: usize>(
     step: usize,
     source: &[[Quad; W]],
     stride: usize,
-    is_transposed: bool,
     route: &Route,
 ) {
     let share = f32x4::splat(route.share);
     let block = |number: usize| entries::<B, W>(&source[number * stride]);
     for (group, sum) in target.iter_mut().step_by(step).enumerate() {
-        let block = match (is_transposed, route.columns) {
+        let block = match (route.is_transposed, route.columns) {
             (false, _) | (_, 0) => block(group + 1),
             (_, 1) => moved(block(group + 1), block(group + 2), |now, next| [now[1], now[2], now[3], next[0]]),
             _ => moved(block(group), block(group + 1), |last, now| [last[3], now[0], now[1], now[2]]),
@@ -175,7 +170,7 @@ fn add_row<const D: usize, const B: usize, const W: usize>(
         for i in 0..D {
             for j in 0..D {
                 let sum = &mut sum[i * D + j];
-                let entry = block[if is_transposed { j * D + i } else { i * D + j }];
+                let entry = block[if route.is_transposed { j * D + i } else { i * D + j }];
                 *sum = (f32x4::from(*sum) + share * entry).to_array();
             }
         }
@@ -207,7 +202,7 @@ impl Recipe {
     fn new<const D: usize>(axis: usize, slot: usize, fine: Grid<D>, below: bool, above: bool) -> Self {
         let offset = StencilOperator::<D>::offset(StencilOperator::<D>::CENTRE + slot);
         let on_grid = |place: isize| (place >= 0 || below) && (place <= 0 || above);
-        let mut recipe = Self::default();
+        let mut routes = Vec::new();
         for (e, f) in (-1..=1).flat_map(|e| (-1..=1).map(move |f| (e, f))) {
             let mut towards = offset;
             towards[axis] = 2 * offset[axis] + f - e;
@@ -215,44 +210,34 @@ impl Recipe {
                 continue;
             }
             let neighbour = StencilOperator::<D>::neighbour(towards);
-            let as_stored = neighbour >= StencilOperator::<D>::CENTRE;
+            let is_transposed = neighbour < StencilOperator::<D>::CENTRE;
             let mut node = [0; D];
             node[axis] = e;
-            if !as_stored {
-                // The other of the two nodes stores the block.
+            if is_transposed {
                 node = std::array::from_fn(|k| node[k] + towards[k]);
             }
-            let routes = if as_stored { &mut recipe.as_stored } else { &mut recipe.transposed };
             routes.push(Route {
                 rows: node[1..].iter().rev().fold(0, |rows, &o| rows * fine.side() as isize + o),
                 columns: node[0],
                 slot: neighbour.abs_diff(StencilOperator::<D>::CENTRE),
+                is_transposed,
                 share: 0.5_f32.powi((e.abs() + f.abs()) as i32),
             });
         }
-        recipe
+        Self(routes)
     }
 
     /// The block of the coarse node over a column of a row, the row with a group of zeros first.
     fn sum_at<const D: usize, const B: usize, const E: usize>(&self, row: &Blocks<B, B, E>, column: usize) -> [f32; B] {
         let mut sum = [0.0; B];
-        let block = |route: &Route| {
+        for route in &self.0 {
             let place = column.wrapping_add_signed(route.columns);
             let (blocks, step) = row.slot(route.slot);
             let block = &blocks[place / LANES * step];
-            (block, place % LANES)
-        };
-        for route in &self.as_stored {
-            let (block, lane) = block(route);
-            for (sum, entry) in sum.iter_mut().zip(block) {
-                *sum += route.share * entry[lane];
-            }
-        }
-        for route in &self.transposed {
-            let (block, lane) = block(route);
             for i in 0..D {
                 for j in 0..D {
-                    sum[i * D + j] += route.share * block[j * D + i][lane];
+                    let entry = if route.is_transposed { j * D + i } else { i * D + j };
+                    sum[i * D + j] += route.share * block[entry][place % LANES];
                 }
             }
         }

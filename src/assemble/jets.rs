@@ -1,4 +1,5 @@
-//! Jets of a distance at nodes, made where they are asked for: the shell is looked at near the surface, and there are few nodes.
+//! Jets of a distance at nodes. In space they are made where they are asked for: the shell is looked at near the surface, and
+//! few of the nodes are there. In the plane, where there are few nodes anyway, all of them are, and found faster.
 
 use crate::distance::SignedDistance;
 use crate::field::QuadraticFit;
@@ -13,15 +14,18 @@ const SIDE: usize = BRICK + 1;
 pub(super) struct Jets<const D: usize> {
     distance: SignedDistance<D>,
     fit: QuadraticFit<D>,
-    /// By brick, the numbers of its nodes: the distance, its gradient, then the second derivative's upper triangle.
+    /// In the plane, the numbers of all nodes.
+    plane: Vec<f64>,
+    /// In space, by brick, the numbers of its nodes: the distance, its gradient, then the second derivative's upper triangle.
     bricks: Vec<OnceCell<Box<[f64]>>>,
-    /// From a cell's lowest node to its corners, in a brick.
+    /// From a cell's lowest node to its corners, in a brick or the plane.
     offsets: [usize; MAX_CORNERS],
 }
 
 /// The nodes of a cell.
 #[derive(Clone, Copy)]
 pub(super) struct Cell<'a> {
+    /// Or the plane.
     brick: &'a [f64],
     lowest: usize,
 }
@@ -35,12 +39,22 @@ impl<const D: usize> Jets<D> {
     pub fn new(distance: &SignedDistance<D>, fit_radius: f64) -> Self {
         let grid = distance.grid();
         assert_eq!(grid.cells() % BRICK, 0, "bricks fill the grid");
-        Self {
+        let brick_count = if D == 2 { 0 } else { Self::grid_of_bricks(grid).cell_count() };
+        let mut jets = Self {
             distance: distance.clone(),
             fit: QuadraticFit::new(grid, fit_radius),
-            bricks: (0..Self::grid_of_bricks(grid).cell_count()).map(|_| OnceCell::new()).collect(),
-            offsets: Grid::<D>::new(BRICK).corner_offsets(),
+            plane: Vec::new(),
+            bricks: (0..brick_count).map(|_| OnceCell::new()).collect(),
+            offsets: if D == 2 { grid } else { Grid::new(BRICK) }.corner_offsets(),
+        };
+        if D == 2 {
+            let mut numbers = Vec::with_capacity(grid.node_count() * Self::STRIDE);
+            for node in 0..grid.node_count() {
+                jets.push(grid.node_index(node), &mut numbers);
+            }
+            jets.plane = numbers;
         }
+        jets
     }
 
     pub fn grid(&self) -> Grid<D> {
@@ -61,6 +75,9 @@ impl<const D: usize> Jets<D> {
     /// The cell with this index.
     #[inline(always)]
     pub fn cell(&self, index: [usize; D]) -> Cell<'_> {
+        if D == 2 {
+            return Cell { brick: &self.plane, lowest: self.grid().node(index) * Self::STRIDE };
+        }
         let (mut number, mut lowest) = (0, 0);
         for i in index.into_iter().rev() {
             number = number * (self.grid().cells() / BRICK) + i / BRICK;
@@ -94,6 +111,7 @@ impl<const D: usize> Jets<D> {
         })
     }
 
+    #[inline(never)]
     fn push(&self, index: [usize; D], numbers: &mut Vec<f64>) {
         let jet = self.fit.at(self.distance.values(), index);
         numbers.push(jet.value);

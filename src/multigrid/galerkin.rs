@@ -203,14 +203,17 @@ impl Recipe {
         let offset = StencilOperator::<D>::offset(StencilOperator::<D>::CENTRE + slot);
         let on_grid = |place: isize| (place >= 0 || below) && (place <= 0 || above);
         let mut routes = Vec::new();
-        for (e, f) in (-1..=1).flat_map(|e| (-1..=1).map(move |f| (e, f))) {
+        let ends = || (-1..=1).flat_map(|e| (-1..=1).map(move |f| (e, f)));
+        for (is_transposed, (e, f)) in ends().map(|ends| (false, ends)).chain(ends().map(|ends| (true, ends))) {
             let mut towards = offset;
             towards[axis] = 2 * offset[axis] + f - e;
             if towards[axis].abs() > 1 || !on_grid(e) || !on_grid(2 * offset[axis] + f) {
                 continue;
             }
             let neighbour = StencilOperator::<D>::neighbour(towards);
-            let is_transposed = neighbour < StencilOperator::<D>::CENTRE;
+            if is_transposed != (neighbour < StencilOperator::<D>::CENTRE) {
+                continue;
+            }
             let mut node = [0; D];
             node[axis] = e;
             if is_transposed {

@@ -114,58 +114,6 @@ test("a drawing follows the view, and says what its colours mean when asked to",
   }
 });
 
-test("a presentation shows the result alone in type of 20 px and more, and keys do the rest", async ({ page }) => {
-  await page.setViewportSize({ width: 1024, height: 768 });
-  await opened(page);
-  await button(page, "Present").click();
-  await expect(page.getByText("Esc leaves")).toBeVisible();
-  await expect(page.getByRole("application")).toHaveCount(0);
-  await expect(result(page)).toBeInViewport({ ratio: 1 });
-  const smallest = await page.evaluate(() => {
-    const texts = [...document.querySelectorAll<HTMLElement>("#app *")].filter(
-      (element) =>
-        element.checkVisibility() &&
-        getComputedStyle(element).clipPath === "none" &&
-        [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim()),
-    );
-    return Math.min(...texts.map((element) => Number.parseFloat(getComputedStyle(element).fontSize)));
-  });
-  expect(smallest).toBeGreaterThanOrEqual(20);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1024);
-  await page.keyboard.press("ArrowLeft");
-  await expect(page.getByRole("slider", { name: "Morph" })).toHaveValue("95");
-  await page.keyboard.press("v");
-  await expect(page.getByLabel("View", { exact: true })).toHaveValue("image");
-  await page.keyboard.press("Shift+V");
-  await expect(page.getByLabel("View", { exact: true })).toHaveValue("grid");
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
-  await page.keyboard.press("Escape");
-  await expect(button(page, "Present")).toBeVisible();
-  await expect(page.getByRole("application", { name: "Reference shape" })).toBeVisible();
-});
-
-for (const lang of ["en", "de"]) {
-  test(`a presentation fills a projector of 1024 × 768 without a part on another (${lang})`, async ({ page }) => {
-    await page.setViewportSize({ width: 1024, height: 768 });
-    await page.goto(`./?lang=${lang}#v=1&preset=star&finest=5`);
-    await finished(page);
-    await page.locator("button.present").click();
-    await expect(page.locator(".present-keys")).toBeVisible();
-    const box = (part: string) => page.locator(part).evaluate((one) => one.getBoundingClientRect().toJSON());
-    await expect.poll(async () => (await box(".stage")).width).toBeGreaterThan(0.56 * 1024);
-    const [stage, header, morph, terms, caption] = await Promise.all(
-      [".stage", ".outcome header", ".morph", ".terms", ".caption"].map(box),
-    );
-    expect(stage.height).toBeCloseTo(stage.width, 0);
-    expect(header.left).toBeGreaterThan(stage.right);
-    expect(morph.top).toBeGreaterThan(stage.bottom);
-    expect(terms.top).toBeGreaterThanOrEqual(morph.bottom);
-    expect(terms.bottom).toBeGreaterThan(0.95 * 768);
-    expect(Math.max(terms.bottom, caption.bottom)).toBeLessThanOrEqual(768);
-    expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBeLessThanOrEqual(768);
-  });
-}
-
 test("the terms' forces are drawn over the picture, and go again", async ({ page }) => {
   const seen = watch(page);
   await opened(page);

@@ -1,0 +1,71 @@
+/** A presentation: the result alone, whole on every screen, and led by keys. */
+
+import { AxeBuilder } from "@axe-core/playwright";
+import { expect, test } from "@playwright/test";
+import { button, finished, result } from "./handles";
+
+test("a presentation shows the result alone in type of 20 px and more, and keys do the rest", async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await page.goto("./#v=1&preset=ellipse&finest=6");
+  await finished(page);
+  await button(page, "Present").click();
+  await expect(page.getByText("Esc leaves")).toBeVisible();
+  await expect(page.getByRole("application")).toHaveCount(0);
+  await expect(result(page)).toBeInViewport({ ratio: 1 });
+  const smallest = await page.evaluate(() => {
+    const texts = [...document.querySelectorAll<HTMLElement>("#app *")].filter(
+      (element) =>
+        element.checkVisibility() &&
+        getComputedStyle(element).clipPath === "none" &&
+        [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim()),
+    );
+    return Math.min(...texts.map((element) => Number.parseFloat(getComputedStyle(element).fontSize)));
+  });
+  expect(smallest).toBeGreaterThanOrEqual(20);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1024);
+  await page.keyboard.press("ArrowLeft");
+  await expect(page.getByRole("slider", { name: "Morph" })).toHaveValue("95");
+  await page.keyboard.press("v");
+  await expect(page.getByLabel("View", { exact: true })).toHaveValue("image");
+  await page.keyboard.press("Shift+V");
+  await expect(page.getByLabel("View", { exact: true })).toHaveValue("grid");
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  await page.keyboard.press("Escape");
+  await expect(button(page, "Present")).toBeVisible();
+  await expect(page.getByRole("application", { name: "Reference shape" })).toBeVisible();
+});
+
+for (const lang of ["en", "de"]) {
+  test(`a presentation fills a projector of 1024 × 768 without a part on another (${lang})`, async ({ page }) => {
+    await page.setViewportSize({ width: 1024, height: 768 });
+    await page.goto(`./?lang=${lang}#v=1&preset=star&finest=5`);
+    await finished(page);
+    await page.locator("button.present").click();
+    await expect(page.locator(".present-keys")).toBeVisible();
+    const box = (part: string) => page.locator(part).evaluate((one) => one.getBoundingClientRect().toJSON());
+    await expect.poll(async () => (await box(".stage")).width).toBeGreaterThan(0.56 * 1024);
+    const [stage, header, morph, terms, caption] = await Promise.all(
+      [".stage", ".outcome header", ".morph", ".terms", ".caption"].map(box),
+    );
+    expect(stage.height).toBeCloseTo(stage.width, 0);
+    expect(header.left).toBeGreaterThan(stage.right);
+    expect(morph.top).toBeGreaterThan(stage.bottom);
+    expect(terms.top).toBeGreaterThanOrEqual(morph.bottom);
+    expect(terms.bottom).toBeGreaterThan(0.95 * 768);
+    expect(Math.max(terms.bottom, caption.bottom)).toBeLessThanOrEqual(768);
+    expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBeLessThanOrEqual(768);
+  });
+}
+
+test("the focus goes round what a presentation shows, and to nothing that is hidden", async ({ page }) => {
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await finished(page);
+  await button(page, "Present").click();
+  await expect(button(page, "Leave")).toBeFocused();
+  for (const key of ["Tab", "Shift+Tab"]) {
+    for (let k = 0; k < 15; k += 1) {
+      await page.keyboard.press(key);
+      expect(await page.evaluate(() => document.activeElement?.closest("body > header")?.textContent)).toBeUndefined();
+    }
+  }
+});

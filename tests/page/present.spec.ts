@@ -69,3 +69,15 @@ test("the focus goes round what a presentation shows, and to nothing that is hid
     }
   }
 });
+
+test("a presentation leaves out how many iterations, and says the energy, also where none was needed", async ({
+  page,
+}) => {
+  await page.goto("./#v=1&preset=hand&finest=5");
+  await finished(page);
+  const number = (name: string) => page.locator(`.status data[data-name="${name}"]`);
+  await expect(number("iteration")).toHaveCount(0);
+  await button(page, "Present").click();
+  for (const name of ["level", "total", "mismatch-max"]) await expect(number(name)).toBeVisible();
+  await expect(number("mismatch-mean")).toBeHidden();
+});

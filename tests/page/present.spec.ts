@@ -57,6 +57,67 @@ for (const lang of ["en", "de"]) {
   });
 }
 
+/** What the presentation shows: words by the lines they fill, what is pressed and the picture by their boxes. */
+const PARTS = ".headline, .status :is(dt, dd), .term, .share, .caption, .present-keys, .percent";
+const BOXES = ".stage, .stack, .outcome header :is(button, select), .morph > :is(button, select)";
+
+/** Pixels by which lines of neighbours may touch: they are higher than their letters. */
+const TOUCH = 3;
+
+for (const lang of ["en", "de"]) {
+  test(`a presentation writes nothing over another part or over the edge, on low screens neither (${lang})`, async ({
+    page,
+  }) => {
+    await page.goto(`./?lang=${lang}#v=1&preset=hand`);
+    await finished(page);
+    await page.locator("button.present").click();
+    await expect(page.locator(".present-keys")).toBeVisible();
+    for (const [width, height] of [
+      [740, 360],
+      [844, 390],
+      [900, 500],
+      [800, 600],
+      [1024, 600],
+      [1280, 600],
+      [1280, 800],
+    ]) {
+      const size = `${width} × ${height}`;
+      await page.setViewportSize({ width, height });
+      const side = () => page.locator(".stage").evaluate((stage) => stage.getBoundingClientRect().bottom);
+      await expect.poll(side, size).toBeLessThan(height);
+      const seen = await page.evaluate(
+        ([parts, boxes]) => {
+          const lines = [...document.querySelectorAll(parts)].flatMap((part) => {
+            const range = document.createRange();
+            range.selectNodeContents(part);
+            return { name: part.textContent, box: range.getBoundingClientRect() };
+          });
+          const whole = [...document.querySelectorAll(boxes)].map((part) => {
+            return { name: part.className, box: part.getBoundingClientRect() };
+          });
+          return [...lines, ...whole]
+            .filter(({ box }) => box.width > 0)
+            .map(({ name, box }) => ({ name, ...box.toJSON() }));
+        },
+        [PARTS, BOXES] as const,
+      );
+      expect(seen.length, size).toBeGreaterThan(15);
+      for (const [k, a] of seen.entries()) {
+        expect(a.bottom, `${size}: ${a.name}`).toBeLessThanOrEqual(height);
+        expect(a.right, `${size}: ${a.name}`).toBeLessThanOrEqual(width);
+        for (const b of seen.slice(k + 1)) {
+          const [across, down] = [
+            Math.min(a.right, b.right) - Math.max(a.left, b.left),
+            Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top),
+          ];
+          expect(Math.min(across, down), `${size}: ${a.name} | ${b.name}`).toBeLessThan(TOUCH);
+        }
+      }
+      expect(await page.evaluate(() => document.documentElement.scrollHeight), size).toBeLessThanOrEqual(height);
+    }
+  });
+}
+
 test("the focus goes round what a presentation shows, and to nothing that is hidden", async ({ page }) => {
   await page.goto("./#v=1&preset=ellipse&finest=5");
   await finished(page);
@@ -80,4 +141,14 @@ test("a presentation leaves out how many iterations, and says the energy, also w
   await button(page, "Present").click();
   for (const name of ["level", "total", "mismatch-max"]) await expect(number(name)).toBeVisible();
   await expect(number("mismatch-mean")).toBeHidden();
+});
+
+test("on a screen higher than wide, all of a presentation is as wide as the screen", async ({ page }) => {
+  await page.setViewportSize({ width: 800, height: 1280 });
+  await page.goto("./#v=1&preset=ellipse&finest=5");
+  await finished(page);
+  await button(page, "Present").click();
+  const box = (part: string) => page.locator(part).evaluate((one) => one.getBoundingClientRect().toJSON());
+  await expect.poll(async () => (await box(".stage")).width).toBeGreaterThan(0.9 * 800);
+  expect((await box(".morph")).top - (await box(".stage")).bottom).toBeLessThan(20);
 });

@@ -24,11 +24,11 @@ export const levelsExperiment: SolidExperiment = {
   paper:
     "A complex surface is matched with another pose of it on 17³ to 129³ nodes; pictures after each level show limbs found first and features last.",
   setup:
-    "A figure of round limbs and the same figure waving (both of the page's gallery), 17³ to 129³ nodes in one cascade from the identity, with default weights. Shown and measured: the match at the end of each level.",
+    "A figure of round limbs and the same figure waving (both of the page's gallery), 17³ to 65³ nodes in one cascade from the identity, with default weights. Shown and measured: the match at the end of each level.",
   example: { reference: "figure", template: "figure-waving", settings: { align: "none" } },
   hasShortForm: true,
   async run(context, size) {
-    const finest = size === "full" ? 7 : 5;
+    const finest = size === "full" ? 6 : 5;
     await context.progress(0, `17³ to ${nodes(finest)}`);
     const levels = await cascade(context, finest);
     const { positions, indices } = creatures.figure();

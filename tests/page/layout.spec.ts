@@ -76,7 +76,7 @@ test.describe("on a phone", () => {
 });
 
 test("nothing scrolls sideways at any width: the other pages, and the presentation", async ({ page }) => {
-  const widths = [320, 390, 768, 1024, 1100, 1280, 3840];
+  const widths = [195, 320, 390, 768, 1024, 1100, 1280, 3840];
   for (const address of ["./experiments.html", "./licences.html", "./lessons.html", "./#v=1&preset=ellipse&finest=5"]) {
     await page.goto(address);
     await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
@@ -109,8 +109,8 @@ test("nothing scrolls sideways at any width, with everything open", async ({ pag
   await page.getByText("For those who know the paper").click();
   await page.getByLabel("View", { exact: true }).selectOption("Image pulled back");
   await expect(page.locator(".legend")).toBeVisible();
-  // 640 and 320 are what 1280 pixels are at 200 % and 400 %.
-  for (const width of [320, 390, 640, 768, 901, 1024, 1100, 1280, 3840]) {
+  // 640 and 320 are what 1280 pixels are at 200 % and 400 %, 195 what a phone's 390 are at 200 %.
+  for (const width of [195, 320, 390, 640, 768, 901, 1024, 1100, 1280, 3840]) {
     await page.setViewportSize({ width, height: 800 });
     await expect
       .poll(() => page.evaluate(() => document.documentElement.scrollWidth), `${width}`)
@@ -119,4 +119,18 @@ test("nothing scrolls sideways at any width, with everything open", async ({ pag
     const picker = page.getByLabel("View", { exact: true });
     expect(await picker.evaluate((select) => select.clientWidth), `${width}`).toBeGreaterThanOrEqual(135);
   }
+});
+
+test("on a phone magnified to 200 % no word is wider than what is pressed for it, in German as well", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 195, height: 422 });
+  await page.goto("./?lang=de#v=1&preset=ellipse&finest=5");
+  await finished(page);
+  const cut = await page
+    .locator("button, summary, select, .term")
+    .evaluateAll((all) =>
+      all.filter((one) => one.checkVisibility() && one.scrollWidth > one.clientWidth).map((one) => one.textContent),
+    );
+  expect(cut).toEqual([]);
 });

@@ -30,7 +30,7 @@ test("each term bears the symbol of its weight beside its word, in one line", as
   const terms = page.locator(".terms .term");
   await expect(terms).toHaveText(["Stretchingαmem", "Bendingαbend", "Mismatch1/ε", "Volumeξ"]);
   await expect(page.getByRole("switch", { name: "Stretching", exact: true })).toBeChecked();
-  for (const width of [320, 390, 521, 768, 1024, 1140, 1240, 1280]) {
+  for (const width of [195, 320, 390, 521, 768, 1024, 1140, 1240, 1280]) {
     await page.setViewportSize({ width, height: 800 });
     const boxes = await terms.evaluateAll((all) => all.map((one) => one.getBoundingClientRect().toJSON()));
     for (const [k, { left, right, top, height }] of boxes.entries()) {

@@ -53,6 +53,12 @@ impl<const D: usize, const M: usize> Rule<D, M> {
         }
         rule
     }
+
+    /// Where the points of an axis lie between −1 and 1.
+    #[inline(always)]
+    pub fn place(&self, number: usize) -> f64 {
+        2.0 * (self.edge[number][1] + self.edge[number][3]) - 1.0
+    }
 }
 
 impl<const D: usize> Rule<D, 3> {

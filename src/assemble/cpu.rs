@@ -3,12 +3,15 @@
 mod bilinear;
 mod certificate;
 mod corners;
+#[cfg(test)]
+mod definition;
 mod element;
 mod pins;
 mod planar;
 mod shell;
 mod spatial;
 mod transfer;
+mod trilinear;
 mod volume;
 
 use super::band::{Band, TemplateField};
@@ -118,9 +121,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         let least_determinant = if D == 2 {
             self.planar_volume_pass::<ORDER>(displacement, gradient, &mut energies)
         } else if few {
-            self.volume_pass::<ORDER, 2>(&self.gauss2, displacement, gradient, &mut energies)
+            self.spatial_volume_pass::<ORDER, 2>(&self.gauss2, displacement, gradient, &mut energies)
         } else {
-            self.volume_pass::<ORDER, 3>(&self.gauss3, displacement, gradient, &mut energies)
+            self.spatial_volume_pass::<ORDER, 3>(&self.gauss3, displacement, gradient, &mut energies)
         };
         if least_determinant > 0.0 {
             let mut sums = [S::zero(); 3];

@@ -10,6 +10,7 @@
 //! hexahedral element", Procedia Engineering 203, 2017.
 
 use super::element::Edges;
+use super::trilinear::Modes;
 use crate::small::{Scalar, Vector, dot};
 
 /// The coefficient of α stands at α₀ + 3 α₁ + 9 α₂.
@@ -53,21 +54,17 @@ pub(super) fn coefficients<S: Scalar, const D: usize>(edges: &Edges<S, D>) -> [S
 /// A quick bound below all coefficients: the determinant at the middle, less what triple products can change by when each
 /// vector changes by no more than its edges do.
 #[inline(always)]
-pub(super) fn quick_bound<S: Scalar, const D: usize>(edges: &Edges<S, D>) -> S {
-    let quarter = S::splat(0.25);
-    let mut middles = [[S::zero(); D]; D];
+pub(super) fn quick_bound<S: Scalar, const D: usize>(edges: &Edges<S, D>, modes: &Modes<S, D>) -> S {
+    let middles: [Vector<S, D>; D] = std::array::from_fn(|axis| modes[axis][0]);
     let (mut lengths, mut reaches) = (S::splat(1.0), S::splat(1.0));
     for axis in 0..D {
-        let middle = &mut middles[axis];
-        for k in 0..D {
-            middle[k] = quarter * (edges[axis][0][k] + edges[axis][1][k] + edges[axis][2][k] + edges[axis][3][k]);
-        }
+        let middle = &middles[axis];
         let mut farthest = S::zero();
         for edge in &edges[axis] {
-            let offset: Vector<S, D> = std::array::from_fn(|k| edge[k] - middle[k]);
+            let mut offset: Vector<S, D> = std::array::from_fn(|k| edge[k] - middle[k]);
+            offset[axis] += S::splat(1.0);
             farthest = farthest.max(dot(&offset, &offset));
         }
-        middle[axis] += S::splat(1.0);
         let length = dot(middle, middle).sqrt();
         lengths = lengths * length;
         reaches = reaches * (length + farthest.sqrt());
@@ -86,6 +83,7 @@ fn cross<S: Scalar, const D: usize>(a: &Vector<S, D>, b: &Vector<S, D>) -> Vecto
 #[cfg(test)]
 mod tests {
     use super::super::element::edge_differences;
+    use super::super::trilinear::modes_of;
     use super::*;
     use crate::field::interpolate_derivative;
     use crate::grid::Grid;
@@ -131,11 +129,11 @@ mod tests {
         for seed in 0..200 {
             for size in [0.01, 0.1, 0.5] {
                 let edges = edge_differences::<f64, 3>(&corners(seed, size), 1.0);
-                assert!(quick_bound(&edges) <= least(&edges) + 1e-14);
+                assert!(quick_bound(&edges, &modes_of(&edges)) <= least(&edges) + 1e-14);
             }
         }
         let edges: Edges<f64, 3> = std::array::from_fn(|axis| [[0.1 * axis as f64, -0.2, 0.05]; 4]);
-        assert!((quick_bound(&edges) - least(&edges)).abs() < 1e-14);
+        assert!((quick_bound(&edges, &modes_of(&edges)) - least(&edges)).abs() < 1e-14);
     }
 
     #[test]

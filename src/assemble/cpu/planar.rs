@@ -6,8 +6,7 @@
 //! det Dφ = a×b + s a×c + t c×b
 //!
 //! is affine on the cell. The density μ/2 |Dφ|² + g(det²) then takes one sum a quadrature point for the determinant, and
-//! gives forces on the three vectors by moments of ∂g. The same numbers as by `volume`, whose way is the one for
-//! surfaces.
+//! gives forces on the three vectors by moments of ∂g. The same numbers as by `definition`.
 
 use super::CpuAssembler;
 use super::bilinear::{Cell, Line, combined, to_corners, transposed, turned};
@@ -17,7 +16,7 @@ use crate::small::{F32x4, Scalar, Vector, add_scaled, dot};
 use crate::stencil::StencilOperator;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
-    /// What [`volume_pass`](Self::volume_pass) returns and adds, for D = 2.
+    /// What [`spatial_volume_pass`](Self::spatial_volume_pass) returns and adds, for D = 2.
     pub(super) fn planar_volume_pass<const ORDER: u8>(
         &self,
         displacement: &[f64],

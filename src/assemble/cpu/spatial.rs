@@ -7,6 +7,7 @@
 
 use super::CpuAssembler;
 use super::element::{Columns, Edges, MAX_EDGES, columns_of, slots_at};
+use super::trilinear::least_at_corners;
 use crate::energy::{Material, shortened};
 use crate::grid::{Grid, MAX_CORNERS};
 use crate::quadrature::{Rule, edge_ends};
@@ -123,11 +124,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                     operator.add_lanes(places[a], self.corner_neighbours[a][b], &block);
                 }
             }
-            let corners = columns_of(&self.vertices, &edges);
-            let mut least = all(f64::INFINITY);
-            for point in 0..C {
-                least = least.min(determinant(&slots_at(&self.vertices, &corners, point)));
-            }
+            let least = least_at_corners(&edges);
             self.stiffen_corners::<F32x4, C>(least, base, weights, displacement, operator);
         }
     }

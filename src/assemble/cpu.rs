@@ -6,6 +6,7 @@ mod corners;
 #[cfg(test)]
 mod definition;
 mod element;
+mod modes;
 mod pins;
 mod planar;
 mod shell;

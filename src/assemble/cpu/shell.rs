@@ -4,6 +4,7 @@ use super::CpuAssembler;
 use super::element::{
     MAX_COLUMNS, MAX_EDGES, Pairs, columns_of, edge_differences, edge_forces_to_corners, slots_at, stress_to_edges,
 };
+use super::modes::PointHessians;
 use crate::assemble::band::ReferenceSample;
 use crate::energy::{GRADIENT, HESSIAN, MAX_SLOTS, Point, Response, normal_slot, position_slot};
 use crate::grid::{Grid, MAX_CORNERS};
@@ -24,6 +25,9 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
         sums: &mut [S; 3],
     ) {
         let (spacing, inverse) = (S::splat(self.grid.spacing()), S::splat(self.grid.cells() as f64));
+        // Where two points an axis suffice, what they have is integrated together.
+        let by_modes = D == 3 && M == 2;
+        let mut hessians = PointHessians::<S, D, C>::zero();
         for pack in packs {
             let nodes = self.band.packs[pack];
             let corners = self.gather(displacement, nodes);
@@ -78,7 +82,11 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
                     }
                 }
                 if ORDER >= HESSIAN {
-                    self.add_shell_pairs(rule, &mut pairs, point, &sample.frame, &response, inverse);
+                    if by_modes {
+                        hessians.put(point, &sample.frame, &response, self.grid.cells() as f64);
+                    } else {
+                        add_point_pairs(rule, &mut pairs, point, &sample.frame, &response, inverse);
+                    }
                 }
             }
             if ORDER >= GRADIENT {
@@ -90,66 +98,67 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             if ORDER >= HESSIAN
                 && let Some(operator) = operator
             {
+                if by_modes {
+                    hessians.integrate(&mut pairs);
+                }
                 self.scatter_pairs(&pairs, |lane| nodes[lane], operator);
             }
         }
     }
+}
 
-    /// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i, s_an = ∇N_a·n and s_ay = N_a.
-    #[inline(always)]
-    fn add_shell_pairs<const C: usize, const M: usize>(
-        &self,
-        rule: &Rule<D, M>,
-        pairs: &mut Pairs<S, D, C>,
-        point: usize,
-        frame: &[Vector<S, D>; D],
-        response: &Response<S, D>,
-        inverse: S,
-    ) {
-        // No term couples the tangents with the normal. Loops of known length come apart and leave no arrays in memory.
-        let normal = normal_slot::<D>();
-        let coupled = |p: usize, q: usize| (p == normal) == (q == normal) || p > normal || q > normal;
-        let mut values = [[S::zero(); MAX_SLOTS]; C];
-        for axis in 0..D {
-            for edge in 0..Rule::<D, M>::EDGES {
-                let slope = inverse * S::splat(rule.edge[rule.column[point][axis]][edge]);
-                let (low, high) = edge_ends(axis, edge);
-                for i in 0..D {
-                    let along = slope * frame[i][axis];
-                    values[high][i] += along;
-                    values[low][i] -= along;
-                }
+/// pairs[a][b] += Σ_pq s_ap s_bq H_pq with the slots' shape values s_ai = ∇N_a·t_i, s_an = ∇N_a·n and s_ay = N_a.
+#[inline(always)]
+pub(super) fn add_point_pairs<S: Scalar, const D: usize, const C: usize, const M: usize>(
+    rule: &Rule<D, M>,
+    pairs: &mut Pairs<S, D, C>,
+    point: usize,
+    frame: &[Vector<S, D>; D],
+    response: &Response<S, D>,
+    inverse: S,
+) {
+    // No term couples the tangents with the normal. Loops of known length come apart and leave no arrays in memory.
+    let normal = normal_slot::<D>();
+    let coupled = |p: usize, q: usize| (p == normal) == (q == normal) || p > normal || q > normal;
+    let mut values = [[S::zero(); MAX_SLOTS]; C];
+    for axis in 0..D {
+        for edge in 0..Rule::<D, M>::EDGES {
+            let slope = inverse * S::splat(rule.edge[rule.column[point][axis]][edge]);
+            let (low, high) = edge_ends(axis, edge);
+            for i in 0..D {
+                let along = slope * frame[i][axis];
+                values[high][i] += along;
+                values[low][i] -= along;
             }
         }
-        for corner in 0..Grid::<D>::CORNERS {
-            values[corner][position_slot::<D>()] = S::splat(rule.shape[point][corner]);
-        }
-        for b in 0..C {
-            // moved[p] = Σ_q s_bq H_pq
-            let mut moved = [[[S::zero(); D]; D]; MAX_SLOTS];
-            for p in 0..D + 1 {
-                for q in 0..D + 1 {
-                    if !coupled(p, q) {
-                        continue;
-                    }
-                    for i in 0..D {
-                        for j in 0..D {
-                            let entry =
-                                if p <= q { response.hessian[p][q][i][j] } else { response.hessian[q][p][j][i] };
-                            moved[p][i][j] += values[b][q] * entry;
-                        }
-                    }
-                }
-            }
-            for a in 0..C {
-                if a > b {
+    }
+    for corner in 0..Grid::<D>::CORNERS {
+        values[corner][position_slot::<D>()] = S::splat(rule.shape[point][corner]);
+    }
+    for b in 0..C {
+        // moved[p] = Σ_q s_bq H_pq
+        let mut moved = [[[S::zero(); D]; D]; MAX_SLOTS];
+        for p in 0..D + 1 {
+            for q in 0..D + 1 {
+                if !coupled(p, q) {
                     continue;
                 }
-                for p in 0..D + 1 {
-                    for i in 0..D {
-                        for j in 0..D {
-                            pairs[a][b][i][j] += values[a][p] * moved[p][i][j];
-                        }
+                for i in 0..D {
+                    for j in 0..D {
+                        let entry = if p <= q { response.hessian[p][q][i][j] } else { response.hessian[q][p][j][i] };
+                        moved[p][i][j] += values[b][q] * entry;
+                    }
+                }
+            }
+        }
+        for a in 0..C {
+            if a > b {
+                continue;
+            }
+            for p in 0..D + 1 {
+                for i in 0..D {
+                    for j in 0..D {
+                        pairs[a][b][i][j] += values[a][p] * moved[p][i][j];
                     }
                 }
             }

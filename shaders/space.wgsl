@@ -109,33 +109,30 @@ fn shortened_twist(f: Mat) -> f32 {
     return first * (level.mu / max(bound, level.mu));
 }
 
-// The volume's hessian of a cell, weight in units of 1/h². Twin of src/assemble/cpu/spatial.rs: μ 1 and t k′ ∂²J exactly
-// for the coefficients at the middle of the cell, k″ ∂J ⊗ ∂J at the eight Gauss points.
+// The volume's hessian of a cell, weight in units of 1/h². Twin of src/assemble/cpu/spatial.rs: that at the middle of the cell,
+// integrated exactly with it.
 fn write_volume_pairs(number: u32, weight: f32, edges: ptr<function, Edges>) {
-    var roots = array<Mat, 8>();
-    for (var point = 0u; point < 8u; point++) {
-        let f = derivative(edges, place_of(GAUSS_2, point));
-        let cof = cofactor(f);
-        let det = max(dot(f[0], cof[0]), LEAST_DETERMINANT);
-        let slopes = dilation(det * det);
-        let second = 2.0 * slopes.y + 4.0 * det * det * slopes.z;
-        roots[point] = sqrt(0.125 * weight * second) * cof;
-    }
     let middle = derivative(edges, Vec(0.5));
+    let cof = cofactor(middle);
+    let det = max(dot(middle[0], cof[0]), LEAST_DETERMINANT);
+    let slopes = dilation(det * det);
+    let second = weight * (2.0 * slopes.y + 4.0 * det * det * slopes.z);
     let twist = weight * shortened_twist(middle);
     for (var b = 0u; b < CORNERS; b++) {
         for (var a = 0u; a <= b; a++) {
-            var block = Mat();
-            for (var point = 0u; point < 8u; point++) {
-                let place = place_of(GAUSS_2, point);
-                block += outer(roots[point] * shape_gradient(place, a), roots[point] * shape_gradient(place, b));
-            }
-            // ∫ ∇N_a·∇N_b and ∫ ∇N_a × ∇N_b: along an axis ∫ N N is 1/3 or 1/6, ∫ N′ N is ±1/2, ∫ N′ N′ is ±1.
+            // ∫ ∇N_a ⊗ ∇N_b and ∫ ∇N_a × ∇N_b: along an axis ∫ N N is 1/3 or 1/6, ∫ N′ N is ±1/2, ∫ N′ N′ is ±1.
             let s = 2.0 * Vec(corner_bits(a)) - 1.0;
             let t = 2.0 * Vec(corner_bits(b)) - 1.0;
             let along = s * t;
             let mass = select(Vec(1.0 / 6.0), Vec(1.0 / 3.0), along > Vec(0.0));
-            let own = weight * level.mu * dot(along, mass.yzx * mass.zxy);
+            let same = along * mass.yzx * mass.zxy;
+            var both = 0.25 * outer(s, t);
+            both[0] *= Vec(0.0, mass.z, mass.y);
+            both[1] *= Vec(mass.z, 0.0, mass.x);
+            both[2] *= Vec(mass.y, mass.x, 0.0);
+            both += Mat(Vec(same.x, 0.0, 0.0), Vec(0.0, same.y, 0.0), Vec(0.0, 0.0, same.z));
+            let own = weight * level.mu * (same.x + same.y + same.z);
+            var block = second * (cof * both * transpose(cof));
             block += Mat(Vec(own, 0.0, 0.0), Vec(0.0, own, 0.0), Vec(0.0, 0.0, own));
             block += turn_by(twist * (middle * (0.25 * mass * cross(s, t))));
             write_pair(number, a, b, block);

@@ -73,7 +73,7 @@ impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
             },
             template: TemplateField::new(template, functional.fit_radius),
             gauss3,
-            integrals: spatial::CellIntegrals::new(&gauss2),
+            integrals: spatial::CellIntegrals::new(),
             gauss2,
             vertices: Rule::vertices(),
             volume_weight,

@@ -8,16 +8,16 @@ use crate::stencil::StencilOperator;
 /// Determinants below this are taken as this: k″ must stay within f32.
 const LEAST: f64 = 1e-4;
 
-/// Corners with a lesser determinant are stiffened: above it the Gauss points' hessian is near enough.
+/// Corners with a lesser determinant are stiffened: above it the cell's hessian is near enough.
 const STIFFENED: f64 = 0.7;
 
 impl<const D: usize, S: Scalar> CpuAssembler<D, S> {
     /// Adds, for each corner with J = det Dφ below [`STIFFENED`], w k″(J) ∇J ⊗ ∇J, where w is the corner's weight in the
     /// energy and k(J) = g(J²), k″ = (λ−2μ)/4 + 3 (λ+2μ)/4 · J⁻⁴.
     ///
-    /// The energy integrates the share θ of the volume term at the corners, its hessian uses Gauss points alone. A corner
-    /// about to fold is stiffer by orders of magnitude than they see, and one such corner would hold up the whole plane:
-    /// every step would fold it and be halved again and again.
+    /// The energy integrates the share θ of the volume term at the corners, its hessian sees Gauss points or the middle of a
+    /// cell. A corner about to fold is stiffer by orders of magnitude than they, and one such corner would hold up the whole
+    /// plane: every step would fold it and be halved again and again.
     ///
     /// `least` are the least determinants of the `T::LANES` cells from the node `base` on, `weights` theirs.
     #[inline(always)]

@@ -9,10 +9,10 @@ mod padded;
 mod sweep;
 
 use crate::grid::Grid;
-use crate::stencil::{LANES, Quad, StencilOperator};
+use crate::stencil::{LANES, StencilOperator};
 use galerkin::Galerkin;
 use padded::{Layout, Nodes};
-use sweep::{DAMPING, Scratch};
+use sweep::Scratch;
 use wide::f32x4;
 
 /// Cells a side of the grid that is solved directly.
@@ -32,8 +32,6 @@ struct Level<const D: usize> {
     /// To the next level.
     galerkin: Galerkin<D>,
     layout: Layout<D>,
-    /// Inverse diagonal blocks, times the damping, laid out as in the operator.
-    inverse: Vec<Quad>,
     right: Vec<f32>,
     solution: Vec<f32>,
     residual: Vec<f32>,
@@ -46,6 +44,8 @@ pub struct Solve {
     pub iterations: usize,
     /// |r| / |b| at the end.
     pub relative_residual: f64,
+    /// ⟨b, x⟩.
+    pub product: f64,
 }
 
 impl<const D: usize> Multigrid<D> {
@@ -69,12 +69,11 @@ impl<const D: usize> Multigrid<D> {
         &mut self.levels[0].operator
     }
 
-    /// Derives the coarse operators and the smoothers from the finest operator.
+    /// Derives the coarse operators from the finest one.
     pub fn prepare(&mut self) {
         for fine in 0..self.levels.len() {
             let (finer, coarser) = self.levels.split_at_mut(fine + 1);
             finer[fine].operator.complete();
-            finer[fine].invert_diagonal();
             if let Some(coarse) = coarser.first_mut() {
                 let finer = &mut finer[fine];
                 finer.galerkin.coarsen(&finer.operator, &mut coarse.operator);
@@ -84,17 +83,16 @@ impl<const D: usize> Multigrid<D> {
     }
 
     /// Solves A x = b by preconditioned conjugate gradients until the residual has fallen by `tolerance`;
-    /// overwrites `x`, D interleaved components a node.
-    pub fn solve(&mut self, b: &[f64], tolerance: f64, max_iterations: usize, x: &mut [f64]) -> Solve {
+    /// overwrites b with x, D interleaved components a node.
+    pub fn solve(&mut self, vector: &mut [f64], tolerance: f64, max_iterations: usize) -> Solve {
         // f32 keeps clear of the smallest numbers near 1.
-        let scale = b.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let scale = vector.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         if scale == 0.0 {
-            x.fill(0.0);
-            return Solve { iterations: 0, relative_residual: 0.0 };
+            return Solve { iterations: 0, relative_residual: 0.0, product: 0.0 };
         }
         // A cycle leaves the right side alone: there the residual stays. Between cycles their scratch holds A·search.
         let layout = self.levels[0].layout;
-        layout.store(b, 1.0 / scale, &mut self.levels[0].right);
+        layout.store(vector, 1.0 / scale, &mut self.levels[0].right);
         self.solution.fill(0.0);
         self.cycle();
         self.search.copy_from_slice(&self.levels[0].solution);
@@ -127,8 +125,8 @@ impl<const D: usize> Multigrid<D> {
             }
             square = next;
         }
-        layout.load(&self.solution, scale, x);
-        Solve { iterations, relative_residual: (rest / first).sqrt() }
+        let product = layout.replace(&self.solution, scale, vector);
+        Solve { iterations, relative_residual: (rest / first).sqrt(), product }
     }
 
     /// One V-cycle for A x = b from x = 0: `b` and `x` with D interleaved components a node.
@@ -147,7 +145,6 @@ impl<const D: usize> Multigrid<D> {
             let (level, coarse) = (&mut finer[fine], &mut coarser[0]);
             level.layout.sweep_from_zero(
                 &level.operator,
-                &level.inverse,
                 &level.right,
                 &mut level.solution,
                 &mut level.residual,
@@ -163,7 +160,6 @@ impl<const D: usize> Multigrid<D> {
             level.layout.prolongate_add(&coarse.solution, &coarse.layout, &mut level.solution, &mut level.scratch.line);
             level.layout.sweep_backward(
                 &level.operator,
-                &level.inverse,
                 &level.right,
                 &mut level.solution,
                 &mut level.residual,
@@ -180,46 +176,11 @@ impl<const D: usize> Level<D> {
         Self {
             operator: if D == 3 { StencilOperator::rounded(grid) } else { StencilOperator::zero(grid) },
             galerkin: Galerkin::new(grid),
-            inverse: vec![[0.0; LANES]; layout.rows() * layout.groups * StencilOperator::<D>::BLOCK],
             right: vec![0.0; count],
             solution: vec![0.0; count],
             residual: vec![0.0; count],
             scratch: Scratch::new(&layout),
             layout,
-        }
-    }
-
-    fn invert_diagonal(&mut self) {
-        match D {
-            2 => self.invert_blocks::<4>(),
-            3 => self.invert_blocks::<9>(),
-            _ => unreachable!("curves and surfaces live in 2 or 3 dimensions"),
-        }
-    }
-
-    fn invert_blocks<const B: usize>(&mut self) {
-        let (side, groups) = (self.layout.side(), self.layout.groups);
-        let own = &self.operator.own::<B>()[self.layout.margin * groups..];
-        for (number, inverse) in self.inverse.as_chunks_mut::<B>().0.iter_mut().enumerate() {
-            let centre = &own[number];
-            for lane in 0..LANES.min(side - number % groups * LANES) {
-                let mut block = [[0.0; D]; D];
-                let trace: f64 = (0..D).map(|k| f64::from(centre[k * D + k][lane])).sum();
-                for i in 0..D {
-                    for j in 0..D {
-                        block[i][j] = f64::from(centre[i * D + j][lane]);
-                    }
-                    // Keeps the inverse of a block bounded that the clipping of negative curvature left singular.
-                    block[i][i] += 1e-6 * trace + f64::MIN_POSITIVE;
-                }
-                let cof = crate::small::cofactor(&block);
-                let inverse_det = f64::from(DAMPING) / crate::small::dot(&block[0], &cof[0]);
-                for i in 0..D {
-                    for j in 0..D {
-                        inverse[i * D + j][lane] = (cof[j][i] * inverse_det) as f32;
-                    }
-                }
-            }
         }
     }
 }

@@ -212,12 +212,6 @@ impl<const D: usize> StencilOperator<D> {
         Blocks::of(&self.own, &self.later)
     }
 
-    /// The blocks of nodes with themselves.
-    pub fn own<const B: usize>(&self) -> &[[Quad; B]] {
-        assert!(B == Self::BLOCK);
-        self.own.as_chunks().0.as_chunks().0
-    }
-
     /// All numbers of an operator that is not rounded, and zeros.
     pub fn numbers(&self) -> impl Iterator<Item = f32> {
         assert!(self.rounding.is_none());

@@ -1,6 +1,6 @@
 //! The default minimiser: projected Gauss–Newton, each system solved loosely by multigrid.
 
-use super::{Decrease, Minimizer, Progress, Stop, inner};
+use super::{Decrease, Minimizer, Progress, Stop};
 use crate::assemble::step::{FORCING, MOST_HALVINGS, MOST_LINEAR_STEPS, is_enough};
 use crate::assemble::{Assembler, Evaluation};
 use crate::grid::Grid;
@@ -24,9 +24,8 @@ const LAST_SHIFT: f32 = 1e12;
 pub struct Newton<const D: usize> {
     multigrid: Multigrid<D>,
     pub(super) displacement: Vec<f64>,
-    /// The direction, then what is tried along it.
-    trial: Vec<f64>,
-    gradient: Vec<f64>,
+    /// ∇E, then d.
+    direction: Vec<f64>,
     pub(super) course: Course,
 }
 
@@ -119,8 +118,7 @@ impl<const D: usize> Newton<D> {
         Self {
             multigrid: Multigrid::new(grid),
             displacement,
-            trial: vec![0.0; count],
-            gradient: vec![0.0; count],
+            direction: vec![0.0; count],
             course: Course::new(tolerance),
         }
     }
@@ -135,11 +133,11 @@ impl<const D: usize> Newton<D> {
     /// Gives back what only further iterations would need.
     pub fn rest(&mut self) {
         self.multigrid = Multigrid::new(Grid::of_level(1));
-        (self.trial, self.gradient) = Default::default();
+        self.direction = Vec::new();
     }
 
     /// Solves for the direction and goes along it: the whole step, or halved until the energy falls enough. None, and
-    /// nothing has moved, if it does not. `gradient` holds ∇E.
+    /// nothing has moved but by rounding, if it does not. Where d will be, ∇E is.
     async fn advance(
         &mut self,
         assembler: &mut impl Assembler<D>,
@@ -147,30 +145,32 @@ impl<const D: usize> Newton<D> {
         progress: &mut Progress,
     ) -> Option<Step> {
         progress.evaluations += 1;
-        self.multigrid.solve(&self.gradient, FORCING, MOST_LINEAR_STEPS, &mut self.trial);
         // This solves H d = +∇E: the way down is against it.
-        let slope = -inner(&self.gradient, &self.trial);
+        let slope = -self.multigrid.solve(&mut self.direction, FORCING, MOST_LINEAR_STEPS).product;
         if slope >= 0.0 || slope.is_nan() {
             return None;
         }
-        for (t, u) in self.trial.iter_mut().zip(&self.displacement) {
-            *t = u - *t;
-        }
         let mut step = 1.0;
+        self.move_along(-step);
         for _ in 0..=MOST_HALVINGS {
-            let evaluation = assembler.energy(&self.trial).await;
+            let evaluation = assembler.energy(&self.displacement).await;
             progress.evaluations += 1;
             if is_enough(&before, &evaluation, step, slope) {
-                std::mem::swap(&mut self.displacement, &mut self.trial);
                 progress.evaluation = evaluation;
                 return Some(Step { whole: step == 1.0, decrease: before.total() - evaluation.total() });
             }
             step *= 0.5;
-            for (t, u) in self.trial.iter_mut().zip(&self.displacement) {
-                *t = 0.5 * (u + *t);
-            }
+            self.move_along(step);
         }
+        self.move_along(step);
         None
+    }
+
+    /// u += s d.
+    fn move_along(&mut self, step: f64) {
+        for (u, d) in self.displacement.iter_mut().zip(&self.direction) {
+            *u += step * d;
+        }
     }
 }
 
@@ -190,12 +190,12 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
         progress.iterations += 1;
         let mut moved = None;
         if self.course.settled {
-            let before = assembler.gradient(&self.displacement, &mut self.gradient).await;
+            let before = assembler.gradient(&self.displacement, &mut self.direction).await;
             moved = self.advance(assembler, before, &mut progress).await;
         }
         if moved.is_none() {
             let operator = self.multigrid.operator_mut();
-            let before = assembler.hessian(&self.displacement, &mut self.gradient, operator).await;
+            let before = assembler.hessian(&self.displacement, &mut self.direction, operator).await;
             progress.evaluation = before;
             let mut mean = None;
             let mut added = 0.0;
@@ -210,6 +210,7 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
                 moved = self.advance(assembler, before, &mut progress).await;
                 if moved.is_none() {
                     self.course.raise_shift();
+                    assembler.gradient(&self.displacement, &mut self.direction).await;
                 }
             }
         }

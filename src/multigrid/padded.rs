@@ -83,14 +83,23 @@ impl<const D: usize> Layout<D> {
     }
 
     pub fn load(&self, padded: &Nodes, scale: f64, values: &mut [f64]) {
+        self.replace(padded, scale, values);
+    }
+
+    /// As `load`; returns the inner product of the values before and after.
+    pub fn replace(&self, padded: &Nodes, scale: f64, values: &mut [f64]) -> f64 {
+        let mut sums = [0.0; D];
         for (row, values) in values.chunks_exact_mut(self.side() * D).enumerate() {
             let start = self.row_start(row);
-            for k in 0..D {
+            for (k, sum) in sums.iter_mut().enumerate() {
                 for (v, p) in values[k..].iter_mut().step_by(D).zip(&padded[start + k * self.line..]) {
-                    *v = f64::from(*p) * scale;
+                    let value = f64::from(*p) * scale;
+                    *sum += *v * value;
+                    *v = value;
                 }
             }
         }
+        sums.iter().sum()
     }
 
     /// coarse = Pᵀ fine. `line` is memory for one, zeros about it included.

@@ -66,7 +66,8 @@ impl<const D: usize> GpuMultigrid<D> {
         drop(pass);
         let scalars = self.read(encoder, &self.gradients.direction, x).await?;
         let relative_residual = f64::from((scalars[4] / scalars[3]).sqrt());
-        Some(Solve { iterations: scalars[5].to_bits() as usize, relative_residual })
+        let product = b.iter().zip(x.iter()).map(|(b, x)| b * x).sum();
+        Some(Solve { iterations: scalars[5].to_bits() as usize, relative_residual, product })
     }
 
     /// One V-cycle for A x = b from x = 0. None if the device fails.

@@ -36,6 +36,9 @@ const SHARPENINGS: u8 = 6;
 /// Rounds beyond these, up to so many, as long as each leaves at most this share of the cost.
 const MOST_SHARPENINGS: u8 = 16;
 const STEADY: f64 = 0.9;
+/// And up to so many for a match that costs no more than this, when a good one costs half a cell.
+const NEAR_SHARPENINGS: u8 = 12;
+const NEAR_COST: f64 = 0.75;
 /// Matches that are worse than this are not sharpened: what they miss is not detail, or they have crumpled.
 const SHARPENED_COST: f64 = 6.0;
 const SHARPENED_MEASURE: f64 = 1.25;
@@ -226,7 +229,11 @@ impl Plan {
             // What crumples would crumple more.
             (None, Some(last)) => {
                 let steady = last.cost() <= STEADY * self.before;
-                let most = if steady { MOST_SHARPENINGS } else { SHARPENINGS };
+                let most = match last.cost() {
+                    _ if steady => MOST_SHARPENINGS,
+                    cost if cost <= NEAR_COST => NEAR_SHARPENINGS,
+                    _ => SHARPENINGS,
+                };
                 last.is_worth_sharpening() && self.sharpened < most
             }
             (None, None) => false,
@@ -300,6 +307,16 @@ mod tests {
         }
         assert_eq!(plan.next(Some(&BLUNT), Some(&BLUNT)), Some(Approach::Guided));
         assert_eq!(plan.next(Some(&BLUNT), Some(&BLUNT)), Some(Approach::Sharpened(1)), "another run's result");
+    }
+
+    #[test]
+    fn what_is_nearly_good_is_sharpened_for_longer() {
+        let near = Fit { mismatch: NEAR_COST, ..FINE };
+        let mut plan = plan();
+        for round in 1..=NEAR_SHARPENINGS {
+            assert_eq!(plan.next(Some(&near), Some(&near)), Some(Approach::Sharpened(round)));
+        }
+        assert_eq!(plan.next(Some(&near), Some(&near)), Some(Approach::Guided));
     }
 
     #[test]

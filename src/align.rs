@@ -160,18 +160,19 @@ mod tests {
 
     /// No rotation is farther than this from one that is tried.
     fn rotations_are_dense<const D: usize>(farthest_degrees: f64) {
+        const TURNS: usize = 500;
         let all = rotations::<D>();
         for rotation in &all {
             let square: f64 = rotation.as_flattened().iter().map(|x| x * x).sum();
             assert!((square - D as f64).abs() < 1e-12 && (crate::small::determinant(rotation) - 1.0).abs() < 1e-12);
         }
-        for k in 0..500 {
-            // Another sequence of rotations: products of those tried with a turn of their own.
+        for k in 0..TURNS {
+            // Another sequence of rotations: products of those tried with turns about axes of every direction.
             let turn: Matrix<f64, D> = {
+                let height = if D == 2 { 1.0 } else { 1.0 - (2.0 * k as f64 + 1.0) / TURNS as f64 };
+                let (across, along) = ((1.0 - height * height).sqrt(), glam::DVec2::from_angle(2.4 * k as f64));
                 let (sin, cos) = (0.37 * k as f64).sin_cos();
-                let mut m = identity();
-                (m[0][0], m[0][1], m[1][0], m[1][1]) = (cos, -sin, sin, cos);
-                m
+                of_quaternion([sin * across * along.x, sin * across * along.y, sin * height, cos])
             };
             let other = &all[(7 * k) % all.len()];
             let product: Matrix<f64, D> =

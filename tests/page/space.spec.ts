@@ -2,11 +2,16 @@
 
 import { readFileSync } from "node:fs";
 import { AxeBuilder } from "@axe-core/playwright";
-import { expect, type Page, test } from "@playwright/test";
+import { expect, type Locator, type Page, test } from "@playwright/test";
 import { drop, file } from "./files";
 import { button, drawn, finished, ours, paint, picture, result, surface, value, watch } from "./handles";
 
 const SMALL = "./#space=1&finest=4";
+
+/** In heights of a view of some 300 pixels: the place is rounded to pixels of the screen. */
+const PIXEL = 0.005;
+/** As seen from the side: the way back is the inverse of what is known at nodes a sixteenth of the box apart. */
+const CELL = 0.02;
 
 /** An octahedron with its triangles cut in four: a closed mesh, as ASCII. */
 function octahedron(): string {
@@ -144,15 +149,47 @@ test("a drag turns, and two views show numbers with their legend", async ({ page
   await expect.poll(() => picture(result(page))).not.toBe(last);
 });
 
-test("what is under the pointer has its partner in the other views", async ({ page }) => {
+test("what is under the pointer has its partner in the other views, which leads back to it", async ({ page }) => {
   await page.goto(SMALL);
   await finished(page);
+  const views = [surface(page, "Reference"), surface(page, "Template"), result(page)];
   const marks = page.locator(".partner");
   await expect(marks).toHaveCount(0);
-  await surface(page, "Reference").hover();
-  await expect(marks).toHaveCount(3);
-  // The ellipsoid is longer along x: what is beside the middle of the sphere goes farther out.
-  const box = await result(page).boundingBox();
+  /** The rings from the middle of each view, in its heights, when a place of one of them is pointed at. */
+  const pointed = async (view: Locator, [right, down]: readonly number[]) => {
+    const box = await view.boundingBox();
+    if (!box) throw new Error("the surface is not on the page");
+    const { x, y, width, height } = box;
+    await page.mouse.move(x + width / 2 + right * height, y + height / 2 + down * height);
+    await expect(marks).toHaveCount(3);
+    return Promise.all(
+      views.map((one) =>
+        one.evaluate((canvas) => {
+          const box = canvas.getBoundingClientRect();
+          const ring = canvas.parentElement?.querySelector(".partner")?.getBoundingClientRect() ?? new DOMRect();
+          const middle = ({ left, right, top, bottom }: DOMRect) => [(left + right) / 2, (top + bottom) / 2];
+          const [at, of] = [middle(ring), middle(box)];
+          return [(at[0] - of[0]) / box.height, (at[1] - of[1]) / box.height];
+        }),
+      ),
+    );
+  };
+  const apart = ([a, b]: readonly number[], [c, d]: readonly number[]) => Math.hypot(a - c, b - d);
+  const given = [0.15, 0.02];
+  const [there, partner, moved] = await pointed(views[0], given);
+  expect(apart(there, given)).toBeLessThan(PIXEL);
+  // The ellipsoid is longer along x: what is beside the middle of the sphere goes farther out, in the result as on the target.
+  expect(partner[0]).toBeGreaterThan(1.15 * given[0]);
+  expect(apart(moved, partner)).toBeLessThan(PIXEL);
+  for (const [k, place] of [
+    [1, partner],
+    [2, moved],
+  ] as const) {
+    const [back, again] = await pointed(views[k], place);
+    expect(apart(again, place)).toBeLessThan(PIXEL);
+    expect(apart(back, given)).toBeLessThan(CELL);
+  }
+  const box = await views[2].boundingBox();
   if (!box) throw new Error("the result is not on the page");
   await page.mouse.move(box.x + 4, box.y + box.height - 30);
   await expect(marks).toHaveCount(0);

@@ -235,6 +235,21 @@ test.describe("SVG", () => {
     expect(areaShare(await take(page, "Reference"))).toBeCloseTo(Math.PI / 4, 2);
   });
 
+  for (const [rule, told] of [
+    [":nth-child(2) { fill: none }", true],
+    ["@media screen { rect { display: none } }", true],
+    [":nth-child(2) { opacity: 0.5 }", false],
+    ["@media print { rect { display: none } } @font-face { src: url(a.woff) } rect { stroke: red }", false],
+  ] as const) {
+    test(`of the style sheet “${rule}” ${told ? "it is told that it is left out" : "there is nothing to tell"}`, async ({
+      page,
+    }) => {
+      await choose(page, "Reference", svgFile(`<style>${rule}</style>${SQUARE}`));
+      await expect(page.getByRole("img", { name: /^Preview/ })).toBeVisible();
+      await expect(page.getByText("Some rules of the drawing's style sheet are left out")).toHaveCount(told ? 1 : 0);
+    });
+  }
+
   test("neither scripts run nor references are followed", async ({ page }) => {
     await page.waitForLoadState("networkidle");
     const seen = watch(page);

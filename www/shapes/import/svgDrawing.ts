@@ -149,9 +149,13 @@ class Reader {
 
   constructor(drawing: Document) {
     this.drawing = drawing;
-    const rules = styleRules(drawing);
-    if (!rules) throw new ImportError("The drawing has a style sheet of too many rules; save it as plain SVG.");
-    this.rules = rules;
+    const sheet = styleRules(drawing);
+    if (!sheet) throw new ImportError("The drawing has a style sheet of too many rules; save it as plain SVG.");
+    this.rules = sheet.rules;
+    if (sheet.leftOut)
+      this.notes.add(
+        "Some rules of the drawing's style sheet are left out; save it as plain SVG if parts are missing or too many.",
+      );
     const box = viewBox(drawing.documentElement);
     const own = (name: string) => pixels(drawing.documentElement.getAttribute(name) ?? "") ?? 100;
     this.size = { width: box?.width ?? own("width"), height: box?.height ?? own("height") };

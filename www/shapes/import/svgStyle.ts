@@ -38,24 +38,51 @@ export const INERT_STYLE = "inert-style";
 const MOST_RULES = 400;
 const LONGEST_SELECTOR = 300;
 
+/** What decides where a figure is painted and where it lies. */
+const DECISIVE =
+  /(?:^|[\s;{])(?:fill|stroke|fill-rule|display|visibility|transform|d|x|y|r|rx|ry|cx|cy|width|height)\s*:/i;
+
+/** At-rules whose blocks are for a screen as well. */
+const SHOWN = /^@(?:media(?!\s+print\b)|supports|layer|container|scope)\b/i;
+
+type Sheet = {
+  readonly rules: readonly Rule[];
+  /** Some have not been taken that may change what is painted, or where. */
+  readonly leftOut: boolean;
+};
+
 /** The rules of the drawing's style elements. Null where they are more than this page takes. */
-export function styleRules(drawing: Document): readonly Rule[] | null {
+export function styleRules(drawing: Document): Sheet | null {
   const rules: Rule[] = [];
+  let leftOut = false;
   for (const element of drawing.querySelectorAll(INERT_STYLE)) {
-    for (const { selector, body } of blocks(element.textContent ?? "")) {
-      if (isSelector(drawing, selector)) rules.push({ selector, declarations: listed(body) });
+    for (const { selector, body, whole } of everyBlock(element.textContent ?? "")) {
+      const isTaken = !selector.startsWith("@") && isSelector(drawing, selector);
+      if (isTaken) rules.push({ selector, declarations: listed(body) });
+      else if (!selector.startsWith("@") || SHOWN.test(selector)) leftOut ||= DECISIVE.test(whole);
     }
   }
-  return rules.length <= MOST_RULES ? rules : null;
+  return rules.length <= MOST_RULES ? { rules, leftOut } : null;
 }
 
-type Block = { readonly selector: string; readonly body: string };
+type Block = {
+  readonly selector: string;
+  /** Its own declarations. */
+  readonly body: string;
+  /** With what is nested. */
+  readonly whole: string;
+};
+
+/** The blocks of a style sheet that have a selector. */
+export function blocks(text: string): Block[] {
+  return everyBlock(text).filter(({ selector }) => !selector.startsWith("@"));
+}
 
 /**
  * The blocks of a style sheet with their selectors, those at the outermost level only: what is nested, or within an
  * at-rule, is for other media and states. One pass over the text, however deep it is nested.
  */
-export function blocks(text: string): Block[] {
+function everyBlock(text: string): Block[] {
   const found: Block[] = [];
   const plain = withoutComments(text);
   let depth = 0;
@@ -80,7 +107,11 @@ export function blocks(text: string): Block[] {
       depth -= 1;
       if (depth === 1) told = i + 1;
       if (depth === 0) {
-        found.push({ selector: plain.slice(begin, open).trim(), body: body + plain.slice(told, i) });
+        found.push({
+          selector: plain.slice(begin, open).trim(),
+          body: body + plain.slice(told, i),
+          whole: plain.slice(open + 1, i),
+        });
         begin = i + 1;
       }
     } else if (letter === ";" && depth === 0) begin = i + 1;
@@ -88,8 +119,12 @@ export function blocks(text: string): Block[] {
   }
   // What is left open at the end is closed by it.
   if (depth > 0)
-    found.push({ selector: plain.slice(begin, open).trim(), body: body + (depth === 1 ? plain.slice(told) : "") });
-  return found.filter(({ selector }) => selector !== "" && !selector.startsWith("@"));
+    found.push({
+      selector: plain.slice(begin, open).trim(),
+      body: body + (depth === 1 ? plain.slice(told) : ""),
+      whole: plain.slice(open + 1),
+    });
+  return found.filter(({ selector }) => selector !== "");
 }
 
 /** Selectors that ask about other elements' insides could take for ever; nobody draws with them. */

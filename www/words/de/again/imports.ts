@@ -74,6 +74,8 @@ export const imports: Patterns = {
     "Die Zeichnung hat mehr als {most} Elemente, jede Verwendung gezählt; vereinfachen Sie sie, oder importieren Sie ein Bild davon.",
   "The drawing has a style sheet of too many rules; save it as plain SVG.": `Die Zeichnung hat ein Stylesheet mit zu vielen Regeln; ${PLAIN}.`,
   "The drawing uses itself or is nested too deeply; save it as plain SVG.": `Die Zeichnung verwendet sich selbst oder ist zu tief verschachtelt; ${PLAIN}.`,
+  "Some rules of the drawing's style sheet are left out; save it as plain SVG if parts are missing or too many.":
+    "Einige Regeln des Stylesheets sind weggelassen; speichern Sie die Zeichnung als einfaches SVG, wenn Teile fehlen oder überzählig sind.",
   "Text is left out: turn it into paths to have it.":
     "Text ist weggelassen: Wandeln Sie ihn in Pfade um, wenn Sie ihn brauchen.",
   "Pictures inside the drawing are left out: import them by themselves.":

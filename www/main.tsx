@@ -159,6 +159,7 @@ function start(root: HTMLElement, isSpoken: boolean): void {
   const opened = isInSpace
     ? { ...open({ hash: "", search: location.search }, memory.found), unwritten: false, later: true }
     : open(location, memory.found);
+  if (opened.unread) memory.setAside();
   const session = new Session(engine, opened, { view, choose }, memory);
   if (!opened.later) session.glance();
   const refuse = () => {

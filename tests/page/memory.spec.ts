@@ -108,3 +108,27 @@ test("a storage that is full or forbidden is told of in a sentence, and everythi
   await expect(page.getByText("What you draw is kept here")).toBeVisible();
   expect(seen.errors).toEqual([]);
 });
+
+test("a session that cannot be read is told of, listed and left as it was, whatever is drawn after it", async ({
+  page,
+}) => {
+  const LATER = JSON.stringify({ at: 1, text: "v=7&what=a later version wrote" });
+  await page.addInitScript((text) => {
+    if (sessionStorage.getItem("thinshell:tab")) return;
+    sessionStorage.setItem("thinshell:tab", "a");
+    localStorage.setItem("thinshell:a", text);
+  }, LATER);
+  await page.goto("./?match=later");
+  await expect(page.getByRole("alert")).toContainText("could not be read: version “7” is not known. It stays under");
+  await button(page, "Dismiss").click();
+  await draw(page, 0.2);
+  await page.reload();
+  await expect(page.getByRole("alert")).toHaveText("");
+  await recent(page).click();
+  const list = page.getByRole("list", { name: "Recent sessions" });
+  await expect(list.getByRole("listitem")).toHaveCount(2);
+  await expect(list.getByRole("listitem").last()).toContainText("Could not be read: version “7” is not known");
+  expect(await page.evaluate(() => Object.values(localStorage))).toContain(LATER);
+  await list.getByRole("button", { name: /^Delete: Could not/ }).click();
+  await expect(list.getByRole("listitem")).toHaveCount(1);
+});

@@ -12,13 +12,21 @@ describe("the page starts", () => {
   test("with its link, and the address needs no writing", () => {
     const { saved, ...rest } = opened("#v=2&preset=leaf&bending=0");
     expect(saved).toMatchObject({ preset: "leaf", settings: { bending: 0 } });
-    expect(rest).toEqual({ problem: null, unwritten: false, later: false });
+    expect(rest).toEqual({ problem: null, unread: false, unwritten: false, later: false });
   });
 
   test("without one with what was stored, and without that with the first example", () => {
     expect(opened("")).toMatchObject({ saved: { preset: "ring" }, problem: null, unwritten: true });
-    expect(opened("", "", null)).toEqual({ saved: fallback(), problem: null, unwritten: false, later: false });
-    expect(opened("", "", "v=0&nonsense").saved).toEqual(fallback());
+    const nothing = { saved: fallback(), problem: null, unread: false, unwritten: false, later: false };
+    expect(opened("", "", null)).toEqual(nothing);
+  });
+
+  test("with the first example where what was stored cannot be read, which is said", () => {
+    const { saved, problem, unread, unwritten } = opened("", "", "v=7&nonsense");
+    expect([saved, unread, unwritten]).toEqual([fallback(), true, false]);
+    expect(problem).toMatch(/^What was here last could not be read: version “7” is not known\. It stays under “Recent/);
+    expect(opened("#v=2&preset=leaf", "", "v=7&nonsense")).toMatchObject({ problem: null, unread: true });
+    expect(opened("#v=2&preset=dragon", "", "v=7&nonsense")).toMatchObject({ saved: fallback(), unread: true });
   });
 
   test("a link that cannot be read is reported and takes nothing away", () => {

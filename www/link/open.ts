@@ -9,6 +9,8 @@ export type Opened = {
   readonly saved: Saved;
   /** Why the link, or what stands beside it in the address, was not read. */
   readonly problem: string | null;
+  /** What was stored could not be read, as when a newer version of this page wrote it: it is to be left as it is. */
+  readonly unread: boolean;
   /** The address does not hold what is shown: it comes from elsewhere, at least in part. */
   readonly unwritten: boolean;
   /** The link asks for the match to be left to a press: `match=later`, for those who are to guess it first. */
@@ -31,11 +33,12 @@ export function linkIn(hash: string): { readonly saved: Saved; readonly later: b
 export function open({ hash, search }: Address, stored: string | null): Opened {
   const query = new URLSearchParams(search);
   const later = isLater(query);
-  const last = fromStorage(stored);
-  let opened: Opened = { saved: last ?? fallback(), problem: null, unwritten: last !== null, later };
+  const { last, why } = fromStorage(stored);
+  const [unread, problem] = [why !== null, why && say.lost(why)];
+  let opened: Opened = { saved: last ?? fallback(), problem, unread, unwritten: last !== null, later };
   try {
     const link = linkIn(hash);
-    if (link) opened = { saved: link.saved, problem: null, unwritten: false, later: later || link.later };
+    if (link) opened = { saved: link.saved, problem: null, unread, unwritten: false, later: later || link.later };
   } catch (error) {
     return { ...opened, problem: say.unread(reason(error)), unwritten: false };
   }
@@ -71,12 +74,10 @@ function isLater(query: URLSearchParams): boolean {
   return query.get("match") === "later";
 }
 
-function fromStorage(stored: string | null): Saved | null {
-  if (stored === null) return null;
+function fromStorage(stored: string | null): { readonly last: Saved | null; readonly why: string | null } {
   try {
-    return decode(stored);
-  } catch {
-    // Written by another version of this page: there is nobody to ask, and the example is a good start.
-    return null;
+    return { last: stored === null ? null : decode(stored), why: null };
+  } catch (error) {
+    return { last: null, why: reason(error) };
   }
 }

@@ -62,6 +62,21 @@ test("after a reload a tab goes on with its own session, not with the last of al
   expect([after.own, after.found]).toEqual([before.own, "v=2&preset=star"]);
 });
 
+test("what is set aside stays as it was, however often, beside what is kept from then on", () => {
+  vi.setSystemTime(1);
+  const storage = fakeStorage();
+  const memory = new Memory(new Sessions(() => storage), { id: "a" });
+  memory.keep("v=7&preset=star");
+  vi.setSystemTime(2);
+  for (let k = 0; k < 2; k += 1) memory.setAside();
+  memory.keep("v=2&preset=leaf");
+  expect(memory.sessions.list()).toEqual([
+    { id: "a", at: 2, text: "v=2&preset=leaf" },
+    { id: "a-1", at: 1, text: "v=7&preset=star" },
+  ]);
+  vi.useRealTimers();
+});
+
 test("a duplicated tab, which has the other's name, takes another before it writes", async () => {
   const locks = fakeLocks();
   const session = fakeStorage();

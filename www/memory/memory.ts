@@ -35,6 +35,12 @@ export class Memory {
     this.onFailure();
   }
 
+  /** Leaves this tab's session as it is, beside what is kept from now on. */
+  setAside(): void {
+    const kept = this.sessions.read(this.own);
+    if (kept) this.sessions.write({ ...kept, id: `${kept.id}-${kept.at}` });
+  }
+
   /** In the address as well, which browsers allow to be written some three times a second. */
   remember(text: string): void {
     history.replaceState(null, "", addressOf(text));

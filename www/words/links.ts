@@ -13,6 +13,8 @@ export function brief(text: string): string {
 export const links = page("links", {
   unread: (why: string) =>
     `The link could not be read: ${why}. What would be here without it is shown instead; ask for a fresh link to see the others.`,
+  lost: (why: string) =>
+    `What was here last could not be read: ${why}. It stays under “Recent sessions”; the first example is shown instead.`,
   kept: (why: string) => `The link could not be read: ${why}. Everything is left as it was.`,
   override: (why: string) => `The address asks for what cannot be: ${why}. The rest of it is shown.`,
   foreign: "it is no link of this page",

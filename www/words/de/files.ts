@@ -12,6 +12,8 @@ const NAMES: Readonly<Record<Side, string>> = { reference: "Referenz", template:
 export const links: Book["links"] = {
   unread: (why) =>
     `Der Link konnte nicht gelesen werden: ${why}. Stattdessen sehen Sie, was ohne ihn hier wäre; bitten Sie um einen neuen Link, um die anderen zu sehen.`,
+  lost: (why) =>
+    `Was hier zuletzt war, konnte nicht gelesen werden: ${why}. Es bleibt unter „Letzte Sitzungen“; stattdessen sehen Sie das erste Beispiel.`,
   kept: (why) => `Der Link konnte nicht gelesen werden: ${why}. Alles bleibt, wie es war.`,
   override: (why) => `Die Adresse verlangt etwas Unmögliches: ${why}. Alles Übrige ist zu sehen.`,
   foreign: "er ist kein Link dieser Seite",

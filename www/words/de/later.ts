@@ -203,6 +203,7 @@ export const recent: Book["recent"] = {
   none: "Was Sie zeichnen, bleibt hier erhalten, nur in diesem Browser.",
   help: "Nur in diesem Browser aufbewahrt, für jeden Tab getrennt. Eine Sitzung zu öffnen ist ein Schritt, der sich rückgängig machen lässt.",
   drawn: "Gezeichnete Formen",
+  unread: (why) => `Nicht lesbar: ${why}`,
   settings: (count) => (count === 1 ? "1 Einstellung geändert" : `${count} Einstellungen geändert`),
   own: "dieser Tab",
   open: (what, when) => `Öffnen: ${what}, ${when}`,

@@ -10,14 +10,15 @@ import { Later } from "./controls/Later";
 import { begin, readFile } from "./controls/language";
 import { Morph } from "./controls/Morph";
 import { Presets } from "./controls/Presets";
+import { ResultPanel } from "./controls/ResultPanel";
 import { SketchPanel } from "./controls/SketchPanel";
 import { SketchTools } from "./controls/SketchTools";
 import { Stage } from "./controls/Stage";
-import { Caption, StatusPanel } from "./controls/StatusPanel";
+import { Caption, Progress, StatusPanel, said } from "./controls/StatusPanel";
 import { Terms } from "./controls/Terms";
 import { Problem, Toolbar } from "./controls/Toolbar";
 import { ViewPicker } from "./controls/ViewPicker";
-import { choose, fetchLocal, view } from "./controls/viewing";
+import { choose, fetchLocal, past, view } from "./controls/viewing";
 import { type Engine, moduleAt } from "./engine";
 import { open } from "./link/open";
 import { Memory } from "./memory/memory";
@@ -63,7 +64,10 @@ function App({ session, onSurfaces }: { session: Session; onSurfaces: () => void
             {Present && <Present session={session} />}
             {Save && <Save session={session} />}
           </header>
-          <Stage session={session} />
+          <Stage said={() => past.value?.words ?? said(session)}>
+            <Progress session={session} />
+            <ResultPanel session={session} />
+          </Stage>
           <Morph session={session} />
         </div>
         <StatusPanel session={session} />

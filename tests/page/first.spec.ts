@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { button, finished, result, settings, value, watch } from "./handles";
+import { button, finished, paint, result, settings, value, watch } from "./handles";
 
 test("a first visit shows a finished match without a press", async ({ page }) => {
   const seen = watch(page);
@@ -80,6 +80,21 @@ test.describe("on a phone", () => {
     await expect(button(page, "Back to the result")).toBeVisible();
     const top = await page.evaluate(() => document.activeElement?.getBoundingClientRect().top);
     expect(top).toBeGreaterThanOrEqual(strip.height);
+    await button(page, "Back to the result").click();
+    await expect(button(page, "Back to the result")).toHaveCount(0);
+    await expect(result(page)).toBeInViewport({ ratio: 0.9 });
+  });
+
+  test("surfaces too have a small result while what lies below is looked at", async ({ page }) => {
+    await page.goto("./#space=1&finest=4");
+    await finished(page);
+    const large = (await result(page).boundingBox())?.width ?? 0;
+    await page.evaluate(() => scrollTo(0, 1e6));
+    await expect(button(page, "Back to the result")).toBeVisible();
+    await expect(page.locator(".pinned .told")).toContainText("Fits");
+    await expect.poll(async () => (await result(page).boundingBox())?.width).toBeLessThan(large / 2);
+    const { painted } = await paint(result(page));
+    expect(painted).toBeGreaterThan(0.1);
     await button(page, "Back to the result").click();
     await expect(button(page, "Back to the result")).toHaveCount(0);
     await expect(result(page)).toBeInViewport({ ratio: 0.9 });

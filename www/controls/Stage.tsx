@@ -1,10 +1,7 @@
 import { useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { Session } from "../session";
 import { en } from "../words/en";
-import { ResultPanel } from "./ResultPanel";
-import { Progress, said } from "./StatusPanel";
-import { past } from "./viewing";
 
 /** Where the parts of the page lie under each other; the same width as in layout.css. */
 const NARROW = "(max-width: 900px)";
@@ -13,7 +10,7 @@ const NARROW = "(max-width: 900px)";
  * The place of the result. Where it has been scrolled away above, as on a phone whose settings are open, a small one
  * stays at the top, with what is said of it, and a tap on it leads back.
  */
-export function Stage({ session }: { session: Session }) {
+export function Stage({ said, children }: { said: () => string; children: ComponentChildren }) {
   const place = useRef<HTMLDivElement>(null);
   const pinned = useSignal(false);
   useEffect(() => {
@@ -32,13 +29,12 @@ export function Stage({ session }: { session: Session }) {
   return (
     <div ref={place} class="stage">
       <div class={pinned.value ? "surface pinned" : "surface"}>
-        <Progress session={session} />
-        <ResultPanel session={session} />
+        {children}
         {pinned.value && (
           <>
             {/* Who hears the page has heard it. */}
             <p class="told" aria-hidden="true">
-              {past.value?.words ?? said(session)}
+              {said()}
             </p>
             <button type="button" class="back" aria-label={en.result.back} onClick={reveal} />
           </>

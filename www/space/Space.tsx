@@ -3,6 +3,7 @@ import { useRef } from "preact/hooks";
 import { adopt } from "../controls/adopt";
 import legendStyle from "../controls/legend.css?inline";
 import { ScaleBar } from "../controls/ScaleBar";
+import { Stage as Place } from "../controls/Stage";
 import { useDark } from "../controls/useDark";
 import { space as say } from "../words/space";
 import { Actions } from "./Actions";
@@ -16,7 +17,7 @@ import { Save } from "./Save";
 import { SettingsPanel } from "./SettingsPanel";
 import { SolidCanvas } from "./SolidCanvas";
 import { Source } from "./Source";
-import { Progress, resultState, Status } from "./Status";
+import { headline, Progress, resultState, Status } from "./Status";
 import { type Paint, referenceScene, resultScene, scaleOf, templateScene } from "./scenes";
 import { SIDES, type SpaceSession } from "./session";
 import style from "./space.css?inline";
@@ -106,28 +107,26 @@ export function Space({ session, ways }: Properties) {
             <ViewPicker session={session} />
             <Save session={session} stage={stage} scene={result} />
           </header>
-          <div class="stage">
-            <div class="surface">
-              <Progress session={session} />
-              <div class={session.stale.value ? "shown stale" : "shown"}>
-                <SolidCanvas
-                  session={session}
-                  scene={result}
-                  morph={session.morph}
-                  role="img"
-                  label={`${say.result}: ${resultState(session)}`}
-                  shown="result"
-                  id="result-surface"
-                  staged={staged}
-                />
-                {scale.value && (
-                  <figure class="legend" aria-label={say.legend}>
-                    <ScaleBar scale={scale.value} />
-                  </figure>
-                )}
-              </div>
+          <Place said={() => headline(session)}>
+            <Progress session={session} />
+            <div class={session.stale.value ? "shown stale" : "shown"}>
+              <SolidCanvas
+                session={session}
+                scene={result}
+                morph={session.morph}
+                role="img"
+                label={`${say.result}: ${resultState(session)}`}
+                shown="result"
+                id="result-surface"
+                staged={staged}
+              />
+              {scale.value && (
+                <figure class="legend" aria-label={say.legend}>
+                  <ScaleBar scale={scale.value} />
+                </figure>
+              )}
             </div>
-          </div>
+          </Place>
           {session.view.value === "slice" && <PlaneChoice session={session} />}
           <LevelChoice session={session} />
           <Morph session={session} />

@@ -58,7 +58,8 @@ function PinsOff({ session }: { session: SpaceSession }) {
   return <Value {...named("pins-off")} value={off} text={decimals(off)} unit={say.cells} />;
 }
 
-function headline(session: SpaceSession): string {
+/** The one sentence under the picture. */
+export function headline(session: SpaceSession): string {
   const phase = session.phase.value;
   const { status: words } = say;
   const status = session.fresh.value ? session.result.value?.frame.status : undefined;

@@ -1,5 +1,7 @@
 //! What a registration takes of the four gigabytes that a module can have, and of what a page should take.
 
+#[cfg(feature = "surfaces")]
+use crate::distance::SignedDistance;
 use crate::error::Error;
 use crate::settings::{Alignment, Settings};
 
@@ -10,18 +12,15 @@ const STARTS: f64 = 2_800.0;
 /// Half of what a module can have; the rest is shapes, and memory in pieces.
 const MOST: f64 = 2e9;
 
-/// Bytes a node in space: operators on all levels, vectors, distances; and more for each node that the band holds. A match in a
-/// module took 640 at 65³ and 700 at 129³ with the usual band, and 1 010 at 65³ where the band filled more than half of the box.
+/// Bytes a node in space: operators on all levels, vectors, distances; and more for each that the band holds. A match in a
+/// module took 730 at 65³ and 630 at 129³ with the usual band.
 #[cfg(feature = "surfaces")]
-const SOLID_LEVEL: f64 = 680.0;
+const SOLID_LEVEL: f64 = 500.0;
 #[cfg(feature = "surfaces")]
-const SOLID_BAND: f64 = 700.0;
+const SOLID_BAND: f64 = 1_000.0;
 /// What a module can have, but for what cannot be used because it lies in pieces.
 #[cfg(feature = "surfaces")]
 const SOLID_MOST: f64 = 3.2e9;
-/// The share of the box that the band holds, by its half width: of a surface with twice the area of a side of the box.
-#[cfg(feature = "surfaces")]
-const BAND_SHARE: f64 = 4.0;
 /// Starts on the coarsest level, a displacement each: with the level itself they took 4 200 at 33³ and 4 300 at 65³.
 #[cfg(feature = "surfaces")]
 const SOLID_STARTS: f64 = 3_700.0;
@@ -36,12 +35,14 @@ pub(super) fn check(settings: &Settings) -> Result<(), Error> {
     is_there(bytes, MOST, settings)
 }
 
-/// The same for surfaces.
+/// The same for surfaces, of which each may be the shell.
 #[cfg(feature = "surfaces")]
-pub(super) fn check_solid(settings: &Settings) -> Result<(), Error> {
+pub(super) fn check_solid(settings: &Settings, shapes: &[SignedDistance<3>; 2]) -> Result<(), Error> {
     let nodes = |level: u32| f64::from((1_u32 << level) + 1).powi(3);
-    let band = (BAND_SHARE * settings.functional(settings.finest).bandwidth).min(1.0);
-    let level = SOLID_LEVEL + band * SOLID_BAND;
+    let bandwidth = settings.functional(settings.finest).bandwidth;
+    let is_held = |distance: &&f64| distance.abs() < bandwidth;
+    let held = shapes.iter().map(|shape| shape.values().iter().filter(is_held).count()).fold(0, usize::max);
+    let level = SOLID_LEVEL + SOLID_BAND * held as f64 / nodes(settings.finest);
     let starts = if settings.alignment == Alignment::Similarity { SOLID_STARTS } else { 0.0 };
     let bytes = (level * nodes(settings.finest)).max((level + starts) * nodes(settings.coarsest));
     is_there(bytes, SOLID_MOST, settings)

@@ -25,8 +25,11 @@ impl Shown<3> for Nets {
             settings.finest = settings.coarsest.max(Settings::USUAL_SOLID_LEVEL);
         }
         settings.validate_for_surfaces()?;
-        memory::check_solid(&settings)?;
         Ok(settings)
+    }
+
+    fn check(settings: &Settings, shapes: &[SignedDistance<3>; 2]) -> Result<(), Error> {
+        memory::check_solid(settings, shapes)
     }
 
     fn distance(given: &Given, level: u32) -> Result<SignedDistance<3>, ShapeError> {

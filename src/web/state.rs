@@ -22,6 +22,11 @@ pub(super) trait Shown<const D: usize>: Sized {
 
     fn distance(given: &Given, level: u32) -> Result<SignedDistance<D>, ShapeError>;
 
+    /// Refuses what would need more memory than there is, if that shows by the shapes only.
+    fn check(_: &Settings, _: &[SignedDistance<D>; 2]) -> Result<(), Error> {
+        Ok(())
+    }
+
     /// The zero set.
     fn of(shape: &SignedDistance<D>) -> Self;
 }
@@ -78,7 +83,9 @@ impl Source {
             V::distance(given, settings.finest).map_err(|problem| Error::Shape { shape: name, problem })
         };
         let [reference, template] = &self.shapes;
-        Ok((settings, pins, [distance("reference", reference)?, distance("template", template)?]))
+        let shapes = [distance("reference", reference)?, distance("template", template)?];
+        V::check(&settings, &shapes)?;
+        Ok((settings, pins, shapes))
     }
 }
 

@@ -99,12 +99,14 @@ test("meshes are matched, mapped and shown", async () => {
 }, 120_000);
 
 test("pins and updates work as for curves", async () => {
-  const pins = Float64Array.of(0.72, 0.5, 0.5, 0.5, 0.72, 0.5);
+  // Turned by 60°. A right angle presses cells flat, and whether they come up again is chance.
+  const [x0, y0] = [0.61, 0.5 + 0.11 * Math.sqrt(3)];
+  const pins = Float64Array.of(0.72, 0.5, 0.5, x0, y0, 0.5);
   const registration = await Registration.create(BALL, BALL, { ...SMALL, align: "none", pins, pinWeight: 10 });
   const status = await finished(registration);
   expect(status.energies.pins).toBeGreaterThan(0);
   const [x = 1, y = 0] = registration.map(Float64Array.of(0.72, 0.5, 0.5));
-  expect(Math.hypot(x - 0.5, y - 0.72)).toBeLessThan(0.15);
+  expect(Math.hypot(x - x0, y - y0)).toBeLessThan(0.01);
   const updated = await registration.update({ template: EGG, settings: { pinWeight: 0 } });
   expect(updated.finished).toBe(false);
   expect((await finished(registration)).mismatch.max).toBeLessThan(0.5);

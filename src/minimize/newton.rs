@@ -20,6 +20,10 @@ const FIRST_SHIFT: f32 = 1e-3;
 /// One nearly folded cell can be this much stiffer than the mean; only its own hessian makes its step short enough.
 const LAST_SHIFT: f32 = 1e12;
 
+/// A direction along which a node would move by more boxes than this is not followed. Even halved `MOST_HALVINGS` times it
+/// leads far beyond the box, and the displacement that it was added to would not come back when it is taken away.
+const LONGEST: f64 = 1e4;
+
 /// Solves (H + s·I) d = ∇E, H the positive semi-definite hessian, and goes against d as far as the energy falls.
 pub struct Newton<const D: usize> {
     multigrid: Multigrid<D>,
@@ -147,7 +151,8 @@ impl<const D: usize> Newton<D> {
         progress.evaluations += 1;
         // This solves H d = +∇E: the way down is against it.
         let slope = -self.multigrid.solve(&mut self.direction, FORCING, MOST_LINEAR_STEPS).product;
-        if slope >= 0.0 || slope.is_nan() {
+        let is_too_long = self.direction.iter().any(|d| d.abs() > LONGEST);
+        if slope >= 0.0 || slope.is_nan() || is_too_long {
             return None;
         }
         let mut step = 1.0;
@@ -219,5 +224,53 @@ impl<const D: usize> Minimizer<D> for Newton<D> {
 
     fn displacement(&self) -> &[f64] {
         &self.displacement
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::energy::Energies;
+    use crate::ready::ready;
+    use crate::stencil::StencilOperator;
+
+    /// A slope that hardly anything resists.
+    struct Slide(Grid<2>);
+
+    impl Assembler<2> for Slide {
+        fn grid(&self) -> Grid<2> {
+            self.0
+        }
+
+        async fn energy(&mut self, displacement: &[f64]) -> Evaluation {
+            let energies = Energies { mismatch: displacement.iter().map(|u| u.abs()).sum(), ..Energies::default() };
+            Evaluation { energies, least_determinant: 1.0 }
+        }
+
+        async fn gradient(&mut self, displacement: &[f64], gradient: &mut [f64]) -> Evaluation {
+            gradient.fill(1.0);
+            self.energy(displacement).await
+        }
+
+        async fn hessian(
+            &mut self,
+            displacement: &[f64],
+            gradient: &mut [f64],
+            operator: &mut StencilOperator<2>,
+        ) -> Evaluation {
+            operator.clear();
+            operator.add_to_diagonal(1e-20);
+            self.gradient(displacement, gradient).await
+        }
+    }
+
+    #[test]
+    fn a_direction_beyond_all_measure_leaves_the_displacement_alone() {
+        let grid = Grid::of_level(3);
+        let displacement: Vec<f64> = (0..2 * grid.node_count()).map(|k| 0.1 * (k as f64).sin()).collect();
+        let mut newton = Newton::new(grid, displacement.clone(), 1e-4);
+        let progress = ready(newton.step(&mut Slide(grid)));
+        assert_eq!(progress.stop, Some(Stop::NoDescent));
+        assert_eq!(newton.displacement(), displacement);
     }
 }
